@@ -46,6 +46,18 @@ class Chapter:
         return ROOT / "chapters" / self.folder / "README.md"
 
     @property
+    def to_read(self):
+        """The text, or its page of the site where ./wb docs has made one of it."""
+        page = OUT / "docs" / "html" / self.page_name
+        new = page.is_file() and page.stat().st_mtime > self.text.stat().st_mtime
+        return page if new else self.text
+
+    @property
+    def page_name(self):
+        """Of its text, in the site."""
+        return f"chapters_{self.folder}_README.html"
+
+    @property
     def sealed(self):
         """True in a student's edition, where the solution is not there but a stub."""
         return any(map(exercises.is_open, exercises.regions(exercises.read(self.solution))))

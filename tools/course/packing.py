@@ -60,7 +60,7 @@ def write_packs(folder):
 
 def hints_of(chapter, html):
     """{exercise: its three hints as HTML}, from the site's page of hints."""
-    text = (html / shell.text_of(chapter).replace("README", "hints")).read_text(encoding="utf-8")
+    text = (html / chapter.page_name.replace("README", "hints")).read_text(encoding="utf-8")
     found = {}
     for part in re.split(r"<h2>", text)[1:]:
         if match := re.match(r"<a class=\"anchor\"[^>]*></a>\s*(\d+\.\d+)</h2>", part):
@@ -119,7 +119,7 @@ def write_pages(folder, students):
     for chapter in house.chapters():
         (folder / f"chapter_{chapter.number}.json").write_text(
             json.dumps(about(chapter, OUT, students)), encoding="utf-8")
-        page = OUT / shell.text_of(chapter)
+        page = OUT / chapter.page_name
         page.write_text(with_exercises(page.read_text(encoding="utf-8"), chapter),
                         encoding="utf-8")
 
@@ -128,7 +128,7 @@ def write_front():
     """The front page leads to the first exercise."""
     page, first = OUT / "index.html", house.chapters()[0]
     text = page.read_text(encoding="utf-8")
-    way = (f'<a class="button" href="{shell.text_of(first)}#exercise-{first.ids()[0]}">'
+    way = (f'<a class="button" href="{first.page_name}#exercise-{first.ids()[0]}">'
            f"Try exercise {first.ids()[0]} now, in this page</a>")
     page.write_text(text.replace('<p class="ways">', f'<p class="ways">{way}', 1), encoding="utf-8")
 

@@ -93,7 +93,7 @@ def finish(html, recordings, tags):
     copy_pictures(html, pages)
     rows = gallery.read_rows((ROOT / gallery.PAGE).read_text(encoding="utf-8"))
     for chapter in house.chapters():
-        page = shell.text_of(chapter)
+        page = chapter.page_name
         pages[page] = texts.finished(pages[page], chapter, rows)
     pages = {page: texts.with_drawings(text, ROOT) for page, text in pages.items()}
     pages = {page: text if 'name="nested-classes"' in text else
@@ -106,7 +106,7 @@ def finish(html, recordings, tags):
     pages = formulas.draw(pages, html)
     if (html / "live.html").exists():
         for chapter in house.chapters():
-            page = shell.text_of(chapter)
+            page = chapter.page_name
             pages[page] = experiments.with_experiments(pages[page])
     else:
         pages = {page: links.without("live.html", text) for page, text in pages.items()}

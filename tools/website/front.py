@@ -15,7 +15,7 @@ PICTURES = {1: "bridge", 4: "piston", 5: "ragdoll", 6: "bridge_of_rods", 8: "rag
 
 def top(live):
     """What moves, and two ways in."""
-    first = shell.text_of(house.chapters()[0])
+    first = house.chapters()[0].page_name
     return (f'<iframe class="live" title="A scene of the engine that moves" '
             f'data-src="{escape(MOVES["live.html" if live else None])}"></iframe>'), (
         f'<p class="ways"><a class="button" href="{first}">Start with chapter 1</a>'
@@ -29,7 +29,7 @@ def card(chapter, row, rows):
     shown = next((one for one in own if one.name == PICTURES.get(chapter.number)), own[0])
     count, time = len(chapter.ids()), values.hours_of(chapter.number)
     words = re.sub(r"<[^>]+>", "", name).strip()
-    return (f'<a class="chapter" href="{shell.text_of(chapter)}">'
+    return (f'<a class="chapter" href="{chapter.page_name}">'
             f"{gallery.image(shown)}<h3>{chapter.number} {words}</h3>"
             f"<p>You build {re.sub('</?a[^>]*>', '', build).strip()}.</p>"
             f"<p>You see {re.sub('</?a[^>]*>', '', see).strip()}.</p>"

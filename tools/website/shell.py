@@ -29,10 +29,6 @@ def chapter_pages(chapter):
             (f"motion/{chapter.folder}.html", "Its motions")]
 
 
-def text_of(chapter):
-    return f"chapters_{chapter.folder}_README.html"
-
-
 def entry(page, words, here, more=""):
     mark = ' aria-current="page"' if page == here else ""
     return f'<li><a href="{page}"{mark}>{escape(words)}</a>{more}</li>'
@@ -43,9 +39,9 @@ def page_list(here, titles, chapters, texts):
     rows = [entry(page, titles[page], here) for page in BEFORE]
     for chapter in chapters:
         own = chapter_pages(chapter)
-        inside = here == text_of(chapter) or here in [page for page, _ in own]
+        inside = here == chapter.page_name or here in [page for page, _ in own]
         more = "<ul>" + "".join(entry(*one, here) for one in own) + "</ul>" if inside else ""
-        rows.append(entry(text_of(chapter), titles[text_of(chapter)], here, more))
+        rows.append(entry(chapter.page_name, titles[chapter.page_name], here, more))
     rows += [entry(page, titles[page], here) for page in AFTER]
     if "live.html" in texts:
         rows.append(entry("live.html", "The engine, live", here))
@@ -56,7 +52,7 @@ def page_list(here, titles, chapters, texts):
 def way_on(here, titles, chapters, where):
     """The bar that leads to the chapter before and the one behind, for a chapter's text. `where`
     it stands, in words."""
-    order = [BEFORE[1], *(text_of(chapter) for chapter in chapters), AFTER[0]]
+    order = [BEFORE[1], *(chapter.page_name for chapter in chapters), AFTER[0]]
     if here not in order[1:-1]:
         return ""
     k = order.index(here)

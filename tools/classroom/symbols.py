@@ -3,7 +3,6 @@ report of its own, end the program or take the place of a test. The compiler has
 call is there however the text hides it, for example behind macros."""
 import re
 import subprocess
-import sys
 
 # What the standard library of C++ holds that reaches out of the program, or decides how it ends.
 OUT_OF_STD = re.compile(r"filebuf|fstream|filesystem|thread|future|async|random_device|_handler|"

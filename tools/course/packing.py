@@ -10,7 +10,7 @@ from pathlib import Path
 from base import exercises, house
 from course import parts
 from judge import crashes
-from website import docs, shell
+from website import docs
 
 OUT = house.OUT / "course"
 HERE = parts.HERE

@@ -6,9 +6,9 @@ from base import exercises
 from judge import crashes
 from judge import grade as grading
 from base import house
-from judge import reading, runs
+from judge import reading
 from learn.status import COLOURS, status
-from base.talk import bad, bold, faint, folded, good, indented
+from base.talk import bad, bold, faint, folded, indented
 
 AT_ONCE = 2  # what is not asked for is not waited for longer [s]
 MOST_PRINTED = 12  # lines of an answer's own output

@@ -4,7 +4,7 @@ from html import escape
 
 from base import house
 from keep import values
-from website import gallery, shell
+from website import gallery
 
 MOVES = {"live.html": "live.html#scene=ragdoll", None: "motion/08_ground.html?scene=ragdoll&play=1"}
 ROW = re.compile(r'<tr class="markdownTableRow\w+">\s*(.*?)</tr>', re.S)

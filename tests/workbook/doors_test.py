@@ -16,7 +16,7 @@ import time
 from pathlib import Path
 
 from door import CHAPTER
-from proofs import exercises, house, main, notes
+from proofs import exercises, main, notes
 
 FILE = f"chapters/{CHAPTER}/distance.cpp"
 WRONG = """  const vec3 n = direction(body2.x - body1.x);

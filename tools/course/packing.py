@@ -38,6 +38,7 @@ def precompile(program, headers, out, units=False):
 
 def write_packs(folder):
     """The compiler and its packs."""
+    house.progress("building the tests for the browser (minutes, the first time)")
     parts.build_objects()
     program = parts.package("@yowasp/clang")
     parts.packed(folder / "compiler.xz", program.read_bytes())
@@ -213,7 +214,8 @@ def command(serve=True, one_file=False, students=False):
     refuse()
     if docs.command():
         return 1
-    pack(students)
+    with house.talking():
+        pack(students)
     size = sum(path.stat().st_size for path in (OUT / "course").glob("*.xz"))
     print(f"course: {house.short(OUT)}, {size / 1e6:.1f} MB of it for the compiler")
     if one_file:

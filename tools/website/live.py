@@ -122,7 +122,7 @@ def build(swaps=None, folder=None):
     """Builds the modules; returns the folder in which they are."""
     folder, swaps = folder or house.BUILD / "live", swaps or {}
     folder.mkdir(parents=True, exist_ok=True)
-    with house.alone():
+    with house.alone(), house.talking():
         write_ninja(folder, swaps)
         names = [f"{name}.wasm" for name in ("solution", *swaps)]
         result = subprocess.run(["ninja", "-C", folder, *names], capture_output=True, text=True)

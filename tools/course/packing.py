@@ -38,7 +38,6 @@ def precompile(program, headers, out, units=False):
 
 def write_packs(folder):
     """The compiler and its packs."""
-    house.progress("building the tests for the browser (minutes, the first time)")
     parts.build_objects()
     program = parts.package("@yowasp/clang")
     parts.packed(folder / "compiler.xz", program.read_bytes())

@@ -109,7 +109,7 @@ def served():
 
 
 @cache
-def tab(kind=Browser):
+def tab(kind):
     """Exercise 1.1 in a tab that the proofs share, since nothing costs as much as to load the
     compiler; and what served() gives."""
     server, address = served()
@@ -139,7 +139,7 @@ def lacks(report, *words):
 
 def little_memory_is_told(root, build):
     """a device with less than 1 GB is told before the compiler is loaded"""
-    exercise, _, address = tab()
+    exercise, _, address = tab(Browser)
     browser = exercise.browser
     script = browser.call("Page.addScriptToEvaluateOnNewDocument", source=
                           "Object.defineProperty(navigator, 'deviceMemory', {value: 0.5})")
@@ -153,7 +153,7 @@ def little_memory_is_told(root, build):
 
 def the_first_exercise_can_be_done(root, build):
     """1.1 wrong, right and moving; the compiler is loaded by its button alone"""
-    exercise, *_ = tab()
+    exercise, *_ = tab(Browser)
     browser = exercise.browser
     if "MB" not in exercise.ask(".querySelector('button.check').textContent"):
         yield "the button does not say how much it loads"
@@ -182,7 +182,7 @@ def the_first_exercise_can_be_done(root, build):
 
 def a_rope_moves_a_rope(root, build):
     """the scene below exercise 1.5, the rope's, is the bridge on ropes"""
-    exercise = Exercise(tab()[0].browser, "1.5")
+    exercise = Exercise(tab(Browser)[0].browser, "1.5")
     exercise.take_in(solution())
     yield from lacks(exercise.check(), "done")
     exercise.scene()
@@ -195,7 +195,7 @@ def a_rope_moves_a_rope(root, build):
 
 def what_goes_wrong_is_told(root, build):
     """a loop without end, a crash, memory, what is thrown, an error of the compiler at its line"""
-    exercise, *_ = tab()
+    exercise, *_ = tab(Browser)
     for code, words in FAULTS.items():
         exercise.write(code)
         yield from lacks(exercise.check(), words)
@@ -215,7 +215,7 @@ def what_goes_wrong_is_told(root, build):
 def each_chapter_is_judged(root, build):
     """with each chapter's packs its first exercise is right once it is that of the solution; its
     page has its editors, and in 390 pixels nothing is wider than the window"""
-    browser = tab()[0].browser
+    browser = tab(Browser)[0].browser
     browser.ask("document.body.append(window.other = document.createElement('iframe'))")
     browser.ask("other.style = 'width: 390px; height: 844px'")
     for chapter in house.chapters():
@@ -243,7 +243,7 @@ def each_chapter_is_judged(root, build):
 
 def a_telephone_shows_it(root, build):
     """at 390 pixels nothing is wider than the window; the report's table fits"""
-    exercise, *_ = tab()
+    exercise, *_ = tab(Browser)
     exercise.browser.dress(390, 844, still=True)
     exercise.write(WRONG)
     exercise.check()

@@ -67,7 +67,7 @@ class Browser(Page):
         self.back, write_end = os.pipe()
         command = [there(), *FLAGS, f"--user-data-dir={self.profile.name}", "about:blank"]
         self.process = subprocess.Popen(  # the browser reads at 3 and writes at 4
-            ["sh", "-c", f'exec "$@" 3<&{read_end} 4>&{write_end}', "sh", *command],
+            ["bash", "-c", f'exec "$@" 3<&{read_end} 4>&{write_end}', "bash", *command],
             pass_fds=(read_end, write_end), stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(read_end)

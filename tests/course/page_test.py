@@ -139,16 +139,13 @@ def lacks(report, *words):
 
 def little_memory_is_told(root, build):
     """a device with less than 1 GB is told before the compiler is loaded"""
-    exercise, _, address = tab(Browser)
-    browser = exercise.browser
-    script = browser.call("Page.addScriptToEvaluateOnNewDocument", source=
-                          "Object.defineProperty(navigator, 'deviceMemory', {value: 0.5})")
-    browser.open(address + PAGE, ready=READY, still=True)
+    exercise, *_ = tab(Browser)
+    exercise.browser.ask("Object.defineProperty(navigator, 'deviceMemory', {value: 0.5, "
+                         "configurable: true}), 0")
     yield from lacks(exercise.check(), "less than 1 GB of memory")
-    if any(url.endswith(".xz") for url in browser.requests):
+    if any(url.endswith(".xz") for url in exercise.browser.requests):
         yield "the compiler is loaded all the same"
-    browser.call("Page.removeScriptToEvaluateOnNewDocument", **script)
-    browser.open(address + PAGE, ready=READY, still=True)
+    exercise.browser.ask("delete navigator.deviceMemory")
 
 
 def the_first_exercise_can_be_done(root, build):

@@ -28,10 +28,14 @@ def lacking():
 
 
 def of_today(pages):
-    """All pages of texts, and of the reference, which are made alike, another quarter each day."""
+    """All pages of texts, and of the reference, which are made alike, another eighth each day:
+    {page: whether in a wide window}, which another one of each kind is."""
     day = date.today().toordinal()
-    return [page for k, page in enumerate(pages) if page.exists() and
-            (not REFERENCE.match(page.name) or (k + day) % 4 == 0)]
+    chosen = [page for k, page in enumerate(pages) if page.exists() and
+              (not REFERENCE.match(page.name) or (k + day) % 8 == 0)]
+    wide = {re.match("[a-z]*", page.name)[0]: page for page in
+            chosen[day % len(chosen):] + chosen[:day % len(chosen)]}
+    return {page: page in wide.values() for page in chosen}
 
 
 def serious(here):

@@ -347,10 +347,13 @@ def bad_in_browser(here, site, sources, reports, accessible_ones):
         if page in chapters_of(sources) and not (small := here.ask(LETTERS)).startswith("0 of "):
             yield f"{page.name}: {small} drawings too small for their letters"
         if page in accessible_ones:
-            here.dress(1280, still=True)
+            wide = accessible_ones[page]
+            if wide:
+                here.dress(1280, still=True)
             if found := accessible.serious(here):
                 yield f"{page.name}: axe-core: {found}"
-            here.dress(TELEPHONE, 800, still=True)
+            if wide:
+                here.dress(TELEPHONE, 800, still=True)
         seen = here.ask(LOOK) if page in looked_at else {"wide": 0, "wrong": ""}
         if seen["wide"] > TELEPHONE:
             yield f"{page.name}: {seen['wide']} pixels wide in {TELEPHONE}"
@@ -373,7 +376,7 @@ def main():
            *(line for page in reports for line in bad_report(page))]
     if browser.there():
         lacking = accessible.lacking()
-        checked = [] if lacking else accessible.of_today([*sources, site / "live.html", *reports])
+        checked = {} if lacking else accessible.of_today([*sources, site / "live.html", *reports])
         with browser.Browser() as here:
             bad += bad_in_browser(here, site, sources, reports, checked)
         done = "each in a browser, " + (f"axe-core SKIPPED: {lacking}" if lacking

@@ -294,7 +294,11 @@ async function start() {
         panels.some(blown_up);
       while (time < seconds && playing && !over())
         await new Promise(resolve => setTimeout(resolve, 20));
-      if (seconds && entry.name === name) play(false);  // while the chain is still to be seen
+      if (seconds && entry.name === name) {
+        play(false);  // while the chain is still to be seen
+        const seen = () => time >= seconds || over() || !alive().length;
+        await then_show(async () => { while (!seen()) await steps(1); });  // energy swings
+      }
       show();
     }, ask);
     $("scenes").addEventListener("click", skip);  // it is about one scene

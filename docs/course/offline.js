@@ -27,6 +27,7 @@ export async function keep_offline(manifest) {
     for (let k = 0; k < wanted.length; k += 20)
       await fetch_into(cache, wanted.slice(k, k + 20));
     await navigator.serviceWorker.register(new URL("offline_worker.js", root));
+    await navigator.serviceWorker.ready;  // from now on it is asked, at the next reload, too
     for (const name of await caches.keys())
       if (name !== manifest.cache && name.startsWith("joint-workbook-")) await caches.delete(name);
     document.documentElement.dataset.offline = "ready";

@@ -292,10 +292,13 @@ async function start() {
       play(true);
       const over = () => entry.name !== name ||
         panels.some(blown_up);
-      const end = performance.now() + 6000 * seconds;  // of a slow computer
-      while (time < seconds && performance.now() < end && !over())
+      while (time < seconds && playing && !over())
         await new Promise(resolve => setTimeout(resolve, 20));
-      if (seconds && entry.name === name) play(false);  // while the chain is still to be seen
+      if (seconds && entry.name === name) {
+        play(false);  // while the chain is still to be seen
+        const seen = () => time >= seconds || over() || !alive().length;
+        await then_show(async () => { while (!seen()) await steps(1); });  // energy swings
+      }
       show();
     }, ask);
     $("scenes").addEventListener("click", skip);  // it is about one scene

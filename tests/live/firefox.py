@@ -10,9 +10,10 @@ import tempfile
 import time
 from pathlib import Path
 
+from website.browser import PATIENCE, READY, Page
+
 NAMES = ("firefox-esr", "firefox")
-ENTER, TAB, ESCAPE, CONTROL = "\ue007", "\ue004", "\ue00c", "\ue009"
-SHIFT, UP = "\ue008", "\ue013"
+ENTER, TAB, CONTROL, SHIFT = "\ue007", "\ue004", "\ue009", "\ue008"
 
 
 def there():
@@ -20,21 +21,14 @@ def there():
     return next(filter(None, map(shutil.which, NAMES)), None)
 
 
-def free_port():
-    with socket.socket() as one:
-        one.bind(("127.0.0.1", 0))
-        return one.getsockname()[1]
-
-
-class Firefox:
+class Firefox(Page):
     """One page."""
 
     def __init__(self):
         self.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
-        port = free_port()
         Path(self.folder.name, "user.js").write_text("".join(
             f'user_pref("{name}", {json.dumps(value)});\n' for name, value in {
-                "marionette.port": port, "datareporting.policy.dataSubmissionEnabled": False,
+                "marionette.port": 0, "datareporting.policy.dataSubmissionEnabled": False,
                 "dom.quotaManager.temporaryStorage.fixedLimit": 1 << 20,  # 1 GB on any disk
                 "app.update.enabled": False, "network.captive-portal-service.enabled": False,
                 "network.connectivity-service.enabled": False, "browser.shell.checkDefaultBrowser":
@@ -44,18 +38,20 @@ class Firefox:
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
             env={**os.environ, "HOME": self.folder.name, "MOZ_HEADLESS_WIDTH": "1280",
                  "MOZ_HEADLESS_HEIGHT": "900"})
-        end, self.text, self.number = time.time() + 60, b"", 0
-        while True:
-            try:
-                self.socket = socket.create_connection(("127.0.0.1", port), timeout=60)
-                break
-            except OSError:
-                if time.time() > end:
-                    raise
-                time.sleep(0.2)
-        self.receive()  # what it is
+        self.text, self.number = b"", 0
+        self.socket = socket.create_connection(("127.0.0.1", self.port()), timeout=2 * PATIENCE)
+        self.receive("its greeting")
         self.call("WebDriver:NewSession", capabilities={"alwaysMatch": {}})
-        self.call("WebDriver:SetTimeouts", script=60000, pageLoad=60000)
+        self.call("WebDriver:SetTimeouts", script=1000 * PATIENCE, pageLoad=1000 * PATIENCE)
+
+    def port(self):
+        """The free one that it has found: it says so in a file, once it listens there."""
+        said, end = Path(self.folder.name, "MarionetteActivePort"), time.time() + PATIENCE
+        while not (said.exists() and said.read_text()):
+            if self.process.poll() is not None or time.time() > end:
+                raise TimeoutError(f"Firefox opens no port; exit status {self.process.poll()}")
+            time.sleep(0.05)
+        return int(said.read_text())
 
     def __enter__(self):
         return self
@@ -66,7 +62,7 @@ class Firefox:
         self.process.wait()
         self.folder.cleanup()
 
-    def receive(self):
+    def receive(self, name):
         """A message: its length, a colon, JSON."""
         while True:
             if found := re.match(rb"(\d+):", self.text):
@@ -74,23 +70,26 @@ class Firefox:
                 if len(self.text) >= end:
                     one, self.text = self.text[found.end():end], self.text[end:]
                     return json.loads(one)
-            more = self.socket.recv(1 << 20)
+            try:
+                more = self.socket.recv(1 << 20)
+            except TimeoutError:
+                raise TimeoutError(f"Firefox says nothing for {2 * PATIENCE} s: {name}") from None
             if not more:
-                raise TimeoutError("the browser has gone")
+                raise TimeoutError(f"Firefox has gone: {name}")
             self.text += more
 
     def call(self, name, **parameters):
         self.number += 1
         message = json.dumps([0, self.number, name, parameters]).encode()
         self.socket.sendall(b"%d:" % len(message) + message)
-        _, _, error, result = self.receive()
+        _, _, error, result = self.receive(name)
         if error:
             raise RuntimeError(f"{name}: {error['error']}: {error['message'][:300]}")
         return result
 
     # ---- a page ----------------------------------------------------------------------------------
 
-    def open(self, address, ready="document.documentElement?.dataset.ready === 'yes'"):
+    def open(self, address, ready=READY, **_):
         """Opens a page and waits until it is ready."""
         self.call("WebDriver:Navigate", url="about:blank")
         self.call("WebDriver:Navigate", url=address)
@@ -100,16 +99,6 @@ class Firefox:
         """The value of an expression of the page's."""
         script = f"return window.eval({json.dumps(code)})"
         return self.call("WebDriver:ExecuteScript", script=script, args=[], sandbox=None)["value"]
-
-    def wait(self, code, patience=60):
-        end = time.time() + patience
-        while not self.ask(code):
-            if time.time() > end:
-                raise TimeoutError(f"never true: {code}")
-            time.sleep(0.05)
-
-    def text_of(self, id_):
-        return self.ask(f"document.getElementById('{id_}').textContent")
 
     def click(self, selector):
         self.ask(f"document.querySelector({json.dumps(selector)}).click(), 0")

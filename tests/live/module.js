@@ -1,7 +1,7 @@
 // The engine of a live page without a browser: node module.js PAGE, then questions to the worker on
 // standard input, a line of JSON each; the answers come out in the same way. The worker's script is
 // taken out of the page and runs in a thread, as in a browser: what does not answer within its
-// `patience` [ms], or a minute, is ended.
+// `patience` [ms], or five minutes, is ended.
 const fs = require("fs");
 const {Worker} = require("worker_threads");
 
@@ -18,7 +18,7 @@ function ask(question) {
     const clock = setTimeout(() => {
       worker.terminate();
       resolve({ended: true});
-    }, question.patience || 60000);
+    }, question.patience || 300000);
     worker.once("message", answer => {
       clearTimeout(clock);
       resolve(answer);

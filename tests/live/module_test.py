@@ -24,7 +24,7 @@ def asked(where, questions):
     """The answers of a page's worker."""
     result = subprocess.run(["node", house.ROOT / "tests" / "live" / "module.js", where],
                             input="\n".join(map(json.dumps, questions)), capture_output=True,
-                            text=True, timeout=300)
+                            text=True, timeout=1800)
     if result.returncode:
         raise RuntimeError(result.stderr[-500:])
     return [json.loads(line) for line in result.stdout.splitlines()]

@@ -221,11 +221,16 @@ def build(targets, what="building"):
     """Builds targets; returns "" or what the compiler said."""
     dates_in_the_past()
     configure()
+    with alone(), contents_decide():
+        return run_ninja(fenced(["ninja", "-C", str(BUILD), "-k", "0", *targets]), what)
+
+
+def run_ninja(command, what):
+    """Tells its progress; returns "" or what the compiler said."""
     log = []
-    with alone(), contents_decide(), talking():
-        process = subprocess.Popen(fenced(["ninja", "-C", str(BUILD), "-k", "0", *targets]),
-                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                                   errors="replace")
+    with talking():
+        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                   text=True, errors="replace")
         for line in process.stdout:
             if match := re.match(r"\[([1-9]\d*)/(\d+)\] ", line):  # from 1: 0 are its own checks
                 progress(f"{what} {match[1]} of {match[2]}{thing_built(line)}")

@@ -213,7 +213,8 @@ def command(serve=True, one_file=False, students=False):
     refuse()
     if docs.command():
         return 1
-    pack(students)
+    with house.talking():
+        pack(students)
     size = sum(path.stat().st_size for path in (OUT / "course").glob("*.xz"))
     print(f"course: {house.short(OUT)}, {size / 1e6:.1f} MB of it for the compiler")
     if one_file:

@@ -122,11 +122,11 @@ def build_objects(names=()):
                        (house.ROOT / "tests" / "course", house.ROOT))
         live.write_compiling(BUILD, [*FLAGS, "-isystem", tests, f"-I{root}", "-isystem",
                                      "../live/include", '-DWORKBOOK_ROOT=\\"/\\"'], sources())
-        result = subprocess.run(["ninja", "-C", BUILD, *(f"{name}.o" for name in names)],
-                                capture_output=True, text=True)
-    if result.returncode:
+        house.progress(what := "building the tests for the browser")
+        log = house.run_ninja(["ninja", "-C", BUILD, *(f"{name}.o" for name in names)], what)
+    if log:
         raise house.Trouble("the tests cannot be compiled for the browser:\n"
-                            + house.compiler_words(result.stdout))
+                            + house.compiler_words(log))
 
 
 def objects(*names):

@@ -5,27 +5,20 @@ import shutil
 from datetime import date
 
 from course import parts
-from website import browser
 
 AXE = {"version": "4.14.1", "take": "axe.min.js", "integrity":
        "sha512-FHfa+lmNjQZfJz1q8wKqIDwC6DExcHt/pkjNQb09a3NPjCKg2rhu5qb2S4r76ASyFNNtuFooJpZe37OgudVG"
        "tQ=="}
 REFERENCE = re.compile("(class|struct|group_|namespace|concept)")
 # check_docs.py computes contrasts itself, in light and dark.
-LOOK = """(() => {
-  if (!window.asked) {
-    for (const fold of document.querySelectorAll("details")) fold.open = true;
-    window.asked = document.createElement("script");
-    window.asked.src = "ADDRESS";
-    window.asked.onload = () => axe.run({include: [["html"]], exclude: [["iframe"]]},
-      {resultTypes: ["violations"], iframes: false, rules: {"color-contrast": {enabled: false}}})
-      .then(all => { window.found = all.violations; }, error => { window.found = String(error); });
-    document.head.append(window.asked);
-  }
-  if (!window.found) return null;
-  if (typeof window.found === "string") return window.found;
-  return "good" + window.found.filter(one => ["serious", "critical"].includes(one.impact))
-    .map(one => `; ${one.id} (${one.nodes.length}): ${one.nodes[0].html.slice(0, 120)}`).join("");
+LOOK = """(async () => {
+  for (const fold of document.querySelectorAll("details")) fold.open = true;
+  await new Promise((onload, onerror) => document.head.append(Object.assign(
+    document.createElement("script"), {src: "ADDRESS", onload, onerror})));
+  const {violations} = await axe.run({include: [["html"]], exclude: [["iframe"]]},
+    {resultTypes: ["violations"], iframes: false, rules: {"color-contrast": {enabled: false}}});
+  return violations.filter(one => ["serious", "critical"].includes(one.impact))
+    .map(one => `${one.id} (${one.nodes.length}): ${one.nodes[0].html.slice(0, 120)}`).join("; ");
 })()"""
 
 
@@ -35,17 +28,16 @@ def lacking():
 
 
 def of_today(pages):
-    """All pages of texts, and of the reference, which are made alike, another quarter each day."""
+    """All pages of texts, and of the reference, which are made alike, another eighth each day:
+    {page: whether in a wide window}, which another one of each kind is."""
     day = date.today().toordinal()
-    return [page for k, page in enumerate(pages) if page.exists() and
-            (not REFERENCE.match(page.name) or (k + day) % 4 == 0)]
+    chosen = [page for k, page in enumerate(pages) if page.exists() and
+              (not REFERENCE.match(page.name) or (k + day) % 8 == 0)]
+    wide = {re.match("[a-z]*", page.name)[0]: page for page in
+            chosen[day % len(chosen):] + chosen[:day % len(chosen)]}
+    return {page: page in wide.values() for page in chosen}
 
 
-def bad_pages(pages):
-    """What is serious on pages of the disk, one line a page."""
-    script = parts.package("axe-core", AXE).as_uri()
-    look = LOOK.replace("ADDRESS", script)
-    answers = browser.ask([browser.job(page.as_uri(), look, wait=20) for page in pages])
-    for page, found in zip(pages, answers):
-        if found != "good":
-            yield f"{page.name}: axe-core: {str(found).removeprefix('good; ')}"
+def serious(here):
+    """What is serious on the page that a browser shows, in words."""
+    return here.ask(LOOK.replace("ADDRESS", parts.package("axe-core", AXE).as_uri()))

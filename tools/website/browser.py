@@ -1,5 +1,9 @@
 """A headless Chromium that is told what to do over a pair of pipes, with its own clock running:
-looks at pages, real clicks, keys and fingers. No package of Python's is needed."""
+looks at pages, real clicks, keys and fingers. No package of Python's is needed.
+
+It waits for states, never for a time: on a busy machine everything takes longer."""
+import atexit
+import functools
 import json
 import os
 import select
@@ -13,7 +17,12 @@ NAMES = ("chromium", "chromium-browser", "google-chrome")
 FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
          "--disable-background-networking", "--disable-component-update", "--disable-sync",
          "--disable-web-security", "--allow-file-access-from-files", "--remote-debugging-pipe",
-         "--hide-scrollbars"]
+         "--hide-scrollbars", "--disable-site-isolation-trials",
+         "--disable-features=BackForwardCache,SpareRendererForSitePerProcess"]
+PATIENCE = 120  # with a state that does not come [s]
+READY = "document.documentElement?.dataset.ready === 'yes'"
+STATE = """[location.href, document.readyState, JSON.stringify(document.documentElement.dataset),
+  document.body?.innerText.slice(0, 500)].join(" | ")"""
 
 
 def there():
@@ -21,8 +30,36 @@ def there():
     return next(filter(None, map(shutil.which, NAMES)), None)
 
 
-class Browser:
-    """One page; the output of its console and its requests to the network are kept."""
+class Page:
+    """Of any browser; ask(code) gives the value of an expression of the page's."""
+    console = ()
+
+    def wait(self, code, look=STATE, patience=PATIENCE):
+        """The value of an expression, once it is true; it may throw while the page is not all
+        there. If it does not come true, the error says what is there instead: `look`."""
+        end, pause = time.time() + patience, 0.005
+        while True:
+            try:
+                if seen := self.ask(code):
+                    return seen
+            except RuntimeError as error:
+                seen = error
+            if time.time() > end:
+                raise TimeoutError(f"awaited for {patience} s: {code}\nit is: {seen}\n"
+                                   f"there is: {self.ask(look)}\nconsole: {self.console}")
+            time.sleep(pause)
+            pause = min(1.2 * pause, 0.1)
+
+    def frame(self):
+        """Until the page has been painted once more."""
+        self.ask("new Promise(done => requestAnimationFrame(() => done(0)))")
+
+    def text_of(self, id_):
+        return self.ask(f"document.getElementById('{id_}').textContent")
+
+
+class Browser(Page):
+    """The output of the page's console and its requests to the network are kept."""
 
     def __init__(self):
         self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
@@ -30,17 +67,17 @@ class Browser:
         self.back, write_end = os.pipe()
         command = [there(), *FLAGS, f"--user-data-dir={self.profile.name}", "about:blank"]
         self.process = subprocess.Popen(  # the browser reads at 3 and writes at 4
-            ["sh", "-c", f'exec "$@" 3<&{read_end} 4>&{write_end}', "sh", *command],
+            ["bash", "-c", f'exec "$@" 3<&{read_end} 4>&{write_end}', "bash", *command],
             pass_fds=(read_end, write_end), stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(read_end)
         os.close(write_end)
-        self.text, self.number, self.session = b"", 0, None
+        self.text, self.number, self.session, self.loaded = b"", 0, None, None
         self.console, self.requests = [], []
         target = self.call("Target.createTarget", url="about:blank")["targetId"]
         self.session = self.call("Target.attachToTarget", targetId=target,
                                  flatten=True)["sessionId"]
-        for domain in ("Page", "Runtime", "Network", "Log"):
+        for domain in ("Page", "Runtime", "Network", "Log", "Inspector"):
             self.call(f"{domain}.enable")
 
     def __enter__(self):
@@ -56,21 +93,24 @@ class Browser:
     def call(self, method, **parameters):
         self.number += 1
         message = {"id": self.number, "method": method, "params": parameters}
-        if self.session:
+        if self.session and not method.startswith("SystemInfo"):
             message["sessionId"] = self.session
         os.write(self.out, json.dumps(message).encode() + b"\0")
         while True:
-            answer = self.receive()
+            answer = self.receive(method)
             if answer.get("id") == self.number:
                 if "error" in answer:
                     raise RuntimeError(f"{method}: {answer['error']}")
                 return answer["result"]
 
-    def receive(self, patience=60):
+    def receive(self, method):
         while b"\0" not in self.text:
-            if not select.select([self.back], [], [], patience)[0]:
-                raise TimeoutError("the browser does not answer")
-            self.text += os.read(self.back, 1 << 20)
+            if not select.select([self.back], [], [], PATIENCE)[0]:
+                raise TimeoutError(f"the browser has been silent for {PATIENCE} s: {method}")
+            more = os.read(self.back, 1 << 20)
+            if not more:
+                raise TimeoutError(f"the browser has gone: {method}")
+            self.text += more
         one, self.text = self.text.split(b"\0", 1)
         message = json.loads(one)
         said, method = message.get("params", {}), message.get("method")
@@ -83,70 +123,75 @@ class Browser:
             self.console.append(said["entry"]["text"])
         elif method == "Network.requestWillBeSent":
             self.requests.append(said["request"]["url"])
+        elif method == "Page.frameNavigated" and "parentId" not in said["frame"]:
+            self.loaded, self.console, self.requests = said["frame"]["loaderId"], [], []
+        elif method == "Inspector.targetCrashed":
+            raise TimeoutError("the page has crashed")
         return message
+
+    def processor_time(self):
+        """What its processes have used so far [s]."""
+        return sum(one["cpuTime"] for one in self.call("SystemInfo.getProcessInfo")["processInfo"])
 
     # ---- a page ----------------------------------------------------------------------------------
 
-    def open(self, address, width=1280, height=900, dark=False,
-             ready="document.documentElement?.dataset.ready === 'yes'"):
-        """Opens a page and waits until it says that it is ready; returns the seconds it took."""
+    def dress(self, width, height=900, dark=False, still=False):
+        """The window, what the reader prefers: colours, nothing that moves by itself."""
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height,
                   deviceScaleFactor=1, mobile=width < 600)
         self.call("Emulation.setEmulatedMedia", features=[
-            {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
-        self.call("Page.navigate", url="about:blank")
-        self.console, self.requests = [], []
-        began = time.time()
-        self.call("Page.navigate", url=address)
+            {"name": "prefers-color-scheme", "value": "dark" if dark else "light"},
+            {"name": "prefers-reduced-motion", "value": "reduce" if still else "no-preference"}])
+
+    def open(self, address, width=1280, height=900, dark=False, still=False, ready=READY):
+        """Loads a page and waits until it is ready."""
+        self.dress(width, height, dark, still)
+        here = self.ask("location.href.split('#')[0]")  # a new place in it would not load it anew
+        for to in ["about:blank"] * (address.partition("#")[0] == here) + [address]:
+            before, answer = self.loaded, self.call("Page.navigate", url=to)
+            if "errorText" in answer:
+                raise RuntimeError(f"{address}: {answer['errorText']}")
+            while self.loaded == before:
+                self.receive("Page.navigate")
         self.wait(ready)
-        return time.time() - began
 
     def ask(self, code):
         """The value of an expression of the page's."""
         answer = self.call("Runtime.evaluate", expression=code, returnByValue=True,
                            awaitPromise=True)
         if "exceptionDetails" in answer:
-            raise RuntimeError(json.dumps(answer["exceptionDetails"])[:500])
+            thrown = answer["exceptionDetails"]
+            raise RuntimeError(thrown.get("exception", {}).get("description") or thrown["text"])
         return answer["result"].get("value")
 
-    def look(self, address, look, width, height, patience):
-        """What a page says, as soon as it says something."""
-        self.open(address, width, height, ready="performance.timing.loadEventEnd > 0")
-        end = time.time() + patience
-        while True:
-            try:
-                if said := self.ask(look):
-                    return said
-            except RuntimeError as error:  # it is not all there yet
-                said = str(error)
-            if time.time() > end:
-                return said
-            time.sleep(0.02)
-
-    def wait(self, code, patience=20):
-        end = time.time() + patience
-        while not self.ask(code):
-            if time.time() > end:
-                raise TimeoutError(f"never true: {code}; console: {self.console}")
-            time.sleep(0.02)
-
-    def text_of(self, id_):
-        return self.ask(f"document.getElementById('{id_}').textContent")
-
     def place_of(self, selector):
-        """The middle of an element, scrolled into view."""
-        return self.ask(f"""(() => {{ const e = document.querySelector({json.dumps(selector)});
-          e.scrollIntoView({{block: "center"}}); const b = e.getBoundingClientRect();
-          return [b.left + b.width / 2, b.top + b.height / 2]; }})()""")
+        """The middle of an element, scrolled into view, once it stands still."""
+        return self.wait(f"""(async () => {{
+          const one = document.querySelector({json.dumps(selector)});
+          const middle = () => {{ const box = one.getBoundingClientRect();
+            return [box.left + box.width / 2, box.top + box.height / 2]; }};
+          one.scrollIntoView({{block: "center"}});
+          for (let before = ""; before !== String(middle());) {{
+            before = String(middle());
+            await new Promise(requestAnimationFrame);
+          }}
+          window.hit = false;
+          one.addEventListener("click", () => {{ window.hit = true; }}, {{capture: true}});
+          return middle(); }})()""")
 
-    def mouse(self, kind, x, y, **more):
+    def mouse(self, kind, x, y):
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left",
-                  buttons=0 if kind == "mouseReleased" else 1, clickCount=1, **more)
+                  buttons=0 if kind == "mouseReleased" else 1, clickCount=1)
 
     def click(self, selector):
-        x, y = self.place_of(selector)
-        self.mouse("mousePressed", x, y)
-        self.mouse("mouseReleased", x, y)
+        """Again where the page moved just then and the click went beside it."""
+        for _ in range(9):
+            place = self.place_of(selector)
+            self.mouse("mousePressed", *place)
+            self.mouse("mouseReleased", *place)
+            if self.ask("window.hit"):
+                return
+        raise RuntimeError(f"clicks do not reach {selector}: it is at {place}")
 
     def type(self, selector, text):
         """Puts a text into a field and leaves it."""
@@ -155,26 +200,26 @@ class Browser:
           e.dispatchEvent(new Event("input", {{bubbles: true}}));
           e.dispatchEvent(new Event("change", {{bubbles: true}})); }})()""")
 
-    def drag(self, points, finger=False, pause=0.02):
-        """With the mouse or a finger from the first point to the last."""
-        for k, (x, y) in enumerate([*points, points[-1]]):
-            last = k == len(points)
+    def drag(self, points, finger=False, until="true"):
+        """With the mouse or a finger from the first point to the last, painted at each; lets go
+        once `until` is true."""
+        for k, (x, y) in enumerate(points):
             if finger:
-                self.call("Input.dispatchTouchEvent",
-                          type="touchEnd" if last else "touchMove" if k else "touchStart",
-                          touchPoints=[] if last else [{"x": x, "y": y}])
+                self.call("Input.dispatchTouchEvent", type="touchMove" if k else "touchStart",
+                          touchPoints=[{"x": x, "y": y}])
             else:
-                self.mouse("mouseReleased" if last else "mouseMoved" if k else "mousePressed", x, y)
-            time.sleep(pause)
+                self.mouse("mouseMoved" if k else "mousePressed", x, y)
+            self.frame()
+        self.wait(until)
+        if finger:
+            self.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+        else:
+            self.mouse("mouseReleased", x, y)
 
 
-def job(address, look, width=1280, height=900, wait=3):
-    """Open `address`; the answer is the JavaScript expression `look`, once it is true, or after
-    `wait` seconds."""
-    return {"address": address, "look": look, "width": width, "height": height, "patience": wait}
-
-
-def ask(jobs):
-    """The answers to these jobs, in their order."""
-    with Browser() as here:
-        return [here.look(**one) for one in jobs]
+@functools.cache
+def shared():
+    """One browser for all proofs of a script: its start costs more than many a proof."""
+    here = Browser()
+    atexit.register(here.__exit__)
+    return here

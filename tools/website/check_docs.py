@@ -113,6 +113,14 @@ LOOK = """(() => {
     wrong.push("paper would show the list of pages, or one screen of the text");
   return {wide, wrong: wrong.slice(0, 4).join("; ")};
 })()""".replace("LEAST", str(CONTRAST))
+LETTERS = """(all => (all.length ? all.filter(
+  one => !(parseInt(one.style.getPropertyValue('--wide')) > 0 &&
+           one.firstChild.offsetWidth >= parseInt(one.style.getPropertyValue('--wide')))).length
+  : "no") + ' of ' + all.length)([...document.querySelectorAll('.drawing')])"""
+PLAYS = """document.querySelector('canvas').getAttribute('aria-label')
+  + document.getElementById('frame').textContent
+  + (document.querySelector('figure output').value.includes('gap') ? '' : ', no readings')"""
+LOADED = "performance.timing.loadEventEnd > 0"
 
 
 class Page(HTMLParser):
@@ -304,39 +312,54 @@ def too_large(site):
         yield f"the site has {size:.1f} MB, more than {MEGABYTES}"
 
 
-def browser_jobs(site, sources, reports):
-    """(job, what is wrong with its answer, in words) for all that only a browser can tell."""
-    for page in [*sources, *sorted((site / "motion").glob("*.html")), *reports]:
-        yield browser.job(page.as_uri(), LOOK, TELEPHONE, 800), lambda seen, page=page: (
-            f"{page.name}: {seen}" if not seen or "wide" not in seen else
-            f"{page.name}: {seen['wide']} pixels wide in {TELEPHONE}"
-            if seen["wide"] > TELEPHONE else
-            f"{page.name}: {seen['wrong']}" if seen["wrong"] else None)
-    letters = ("(all => all.length && all.filter("
-               "one => !(parseInt(one.style.getPropertyValue('--wide')) > 0 && "
-               "one.firstChild.offsetWidth >= parseInt(one.style.getPropertyValue('--wide')))"
-               ").length + ' of ' + all.length)([...document.querySelectorAll('.drawing')])")
-    for page in chapters_of(sources):
-        yield browser.job(page.as_uri(), letters, TELEPHONE, 800), lambda small, page=page: (
-            None if str(small).startswith("0 of ")
-            else f"{page.name}: {small} drawings too small for their letters")
-    look = ("(all => all.length && all.slice(0, 3).map(a => a.getAttribute('href')).join(' '))"
-            "([...document.querySelectorAll('#found a')])")
-    for words, wanted in SEARCHES.items():
-        address = f"{(site / 'index.html').as_uri()}?search={quote_plus(words)}"
-        yield browser.job(address, look), lambda found, words=words, wanted=wanted: (
-            None if wanted in str(found)
-            else f"searching for {words} does not find {wanted} first but {found}")
-    for page in sorted((site / "motion").glob("*.html")):
-        for name, scene in scenes_of(page)[0].items():
-            label = f"{scene['title']}, the solution: a picture that moves"
-            look = ("document.querySelector('canvas').getAttribute('aria-label') + "
-                    "document.getElementById('frame').textContent + "
-                    "(document.querySelector('figure output').value.includes('gap') ? '' "
-                    ": ', no readings')")
-            yield browser.job(f"{page.as_uri()}?scene={name}&f=1", look), (
-                lambda said, page=page, name=name, label=label: None if said == f"{label}frame 1"
-                else f"motion/{page.name}: does not play {name}: {said}")
+def bad_motions(here, page):
+    """Motions that do not play on their page, which shows frame 1 of one of them."""
+    scenes = scenes_of(page)[0]
+    found = here.ask(f"[{PLAYS}, ...[...document.getElementById('scenes').children].map(tab => {{"
+                     f" tab.click(); go_to(scene.step); show(); return {PLAYS}; }})]")
+    for name, said in zip([[*scenes][-1], *scenes], found, strict=True):
+        if said != f"{scenes[name]['title']}, the solution: a picture that movesframe 1":
+            yield f"motion/{page.name}: does not play {name}: {said}"
+
+
+def bad_searches(here, site):
+    """Questions that do not find their page; the first one stands in the address."""
+    look = ("[...document.querySelectorAll('#found a')].slice(0, 3)"
+            ".map(a => a.getAttribute('href')).join(' ')")
+    for k, (words, wanted) in enumerate(SEARCHES.items()):
+        if k:
+            here.type("#search", words)
+        else:
+            here.open(f"{(site / 'index.html').as_uri()}?search={quote_plus(words)}", ready=look)
+        if wanted not in (found := here.ask(look)):
+            yield f"searching for {words} does not find {wanted} first but {found}"
+
+
+def bad_in_browser(here, site, sources, reports, accessible_ones):
+    """What is wrong with what only a browser can tell: it opens each page once."""
+    motions = sorted((site / "motion").glob("*.html"))
+    looked_at = [*sources, *motions, *reports]
+    for page in [*looked_at, *(set(accessible_ones) - set(looked_at))]:
+        query = f"?scene={[*scenes_of(page)[0]][-1]}&f=1" if page in motions else ""
+        here.open(page.as_uri() + query, TELEPHONE, 800, still=True, ready=LOADED)
+        if page in motions:
+            yield from bad_motions(here, page)
+        if page in chapters_of(sources) and not (small := here.ask(LETTERS)).startswith("0 of "):
+            yield f"{page.name}: {small} drawings too small for their letters"
+        if page in accessible_ones:
+            wide = accessible_ones[page]
+            if wide:
+                here.dress(1280, still=True)
+            if found := accessible.serious(here):
+                yield f"{page.name}: axe-core: {found}"
+            if wide:
+                here.dress(TELEPHONE, 800, still=True)
+        seen = here.ask(LOOK) if page in looked_at else {"wide": 0, "wrong": ""}
+        if seen["wide"] > TELEPHONE:
+            yield f"{page.name}: {seen['wide']} pixels wide in {TELEPHONE}"
+        if seen["wrong"]:
+            yield f"{page.name}: {seen['wrong']}"
+    yield from bad_searches(here, site)
 
 
 def main():
@@ -352,16 +375,12 @@ def main():
            *bad_members(sources), *bad_formulas(sources),
            *(line for page in reports for line in bad_report(page))]
     if browser.there():
-        jobs = list(browser_jobs(site, sources, reports))
-        answers = browser.ask([job for job, _ in jobs])
-        bad += filter(None, (wrong(answer) for (_, wrong), answer in zip(jobs, answers)))
-        done = f"{len(jobs)} looks of a browser"
-        if lacking := accessible.lacking():
-            done += f", axe-core SKIPPED: {lacking}"
-        else:
-            checked = accessible.of_today([*sources, site / "live.html", *reports])
-            bad += accessible.bad_pages(checked)
-            done += f", {len(checked)} of axe-core"
+        lacking = accessible.lacking()
+        checked = {} if lacking else accessible.of_today([*sources, site / "live.html", *reports])
+        with browser.Browser() as here:
+            bad += bad_in_browser(here, site, sources, reports, checked)
+        done = "each in a browser, " + (f"axe-core SKIPPED: {lacking}" if lacking
+                                        else f"{len(checked)} by axe-core")
     else:
         done = "widths, search and motions SKIPPED: no chromium here (Debian package: chromium)"
     for line in bad:

@@ -172,7 +172,6 @@ def command():
     if lacking := live.missing():
         print(f"without the live page, which needs {' '.join(lacking)}: a recorded motion instead")
     else:
-        house.progress("building the live page")
         live.write_page(house.OUT / "live.html", "The engine, live",
                         [("the solution", live.build() / "solution.wasm")], note="", chapter=0)
     house.progress_done()

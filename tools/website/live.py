@@ -4,7 +4,6 @@ import glob
 import os
 import shlex
 import shutil
-import subprocess
 from pathlib import Path
 
 from base import exercises, house
@@ -127,10 +126,11 @@ def build(swaps=None, folder=None):
     with house.alone():
         write_ninja(folder, swaps)
         names = [f"{name}.wasm" for name in ("solution", *swaps)]
-        result = subprocess.run(["ninja", "-C", folder, *names], capture_output=True, text=True)
-    if result.returncode:
+        house.progress(what := "building the live page")
+        log = house.run_ninja(["ninja", "-C", folder, *names], what)
+    if log:
         raise house.Trouble("the live page's module cannot be built:\n"
-                            + house.compiler_words(result.stdout))
+                            + house.compiler_words(log))
     return folder
 
 
@@ -181,7 +181,6 @@ def live(chapter):
     refuse(chapter)
     page = house.OUT / (f"live_{chapter.folder}.html" if chapter else "live.html")
     written = prepare_mine(chapter) if chapter else []
-    house.progress("building the live page (about a minute, the first time)")
     if written:
         name = f"mine_{chapter.number}"
         folder = house.BUILD / "live"

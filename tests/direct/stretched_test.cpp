@@ -93,7 +93,8 @@ TEST_CASE("chains pulled straight between two walls stay closed under blows and 
   }
 }
 
-TEST_CASE("chains of rods that are too short open by less than the missing length and rest") {
+TEST_CASE("chains of rods that are too short open by less than the missing length and rest",
+          "[slow]") {
   int overflows = 0;
   for (unsigned seed = 90101; seed <= 90150; ++seed) {
     CAPTURE(seed);
@@ -109,7 +110,8 @@ TEST_CASE("chains of rods that are too short open by less than the missing lengt
   CHECK(overflows <= (is_float ? 3 : 0));
 }
 
-TEST_CASE("loops of rods that cannot close open by less than the missing length") {
+TEST_CASE("loops of rods that cannot close open by less than the missing length",
+          "[slow]") {
   for (unsigned seed = 90201; seed <= 90250; ++seed) {
     CAPTURE(seed);
     Rods row = loop(seed);

@@ -327,7 +327,8 @@ TEST_CASE("a spring of given k and c sags by m g / k and oscillates as its equat
   }
 }
 
-TEST_CASE("a curtain of 40 by 40 balls is held by substeps, and is too dear to eliminate") {
+TEST_CASE("a curtain of 40 by 40 balls is held by substeps, and is too dear to eliminate",
+          "[slow]") {
   for (unsigned seed = 9; seed <= 12; ++seed) {
     INFO("seed " << seed);
     BenchScene scene = drawn_curtain(seed, 40);

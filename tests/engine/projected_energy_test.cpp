@@ -24,7 +24,8 @@ double gain(bench::Drawn scene, int projections) {
 }  // namespace
 
 // The counts stand with project_positions().
-TEST_CASE("projection adds energy to some linkages whose rows depend on others, to no others") {
+TEST_CASE("projection adds energy to some linkages whose rows depend on others, to no others",
+          "[slow]") {
   int gained = 0, others = 0, without = 0;
   double worst = 0;
   for (const bench::Family& family : bench::joint_families()) {

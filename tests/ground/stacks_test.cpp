@@ -51,7 +51,8 @@ TEST_CASE("stacks of every kind stand with the setting of the guide") {
   }
 }
 
-TEST_CASE("twenty boxes and stacks drawn by a seed stand on 8 substeps and drift below 5 mm") {
+TEST_CASE("twenty boxes and stacks drawn by a seed stand on 8 substeps and drift below 5 mm",
+          "[slow]") {
   for (const char* solver : {"sequential", "lanes", "direct"}) {
     std::vector<joints::bench::Stack> stacks{{"equal", 20}};
     for (unsigned seed = 2001; seed <= 2006; ++seed)

@@ -10,21 +10,23 @@ from dataclasses import dataclass, field
 from base import house
 from check import dearest, judging, proving
 
-# The parts that Python can see, and those that it runs: scripts, and those that cost much and tell
-# little to those who edit a chapter.
-PROOFS = ("workbook/programs", "workbook/exercises", "workbook/texts", "workbook/sources",
-          "workbook/numbers", "workbook/contacts", "workbook/direct_solver",
-          "workbook/front_door")
-PROOFS_OF_THE_REST = ("workbook/pictures", "workbook/lanes", "workbook/grade",
-                      "workbook/attempts", "workbook/hand_out", "workbook/doors",
+# The proofs that are scripts. To the rest belongs what costs much and tells little to those who edit
+# a chapter, as do the tests that are tagged [slow].
+SLOW = "[slow]"
+PROOFS = ("workbook/exercises", "workbook/texts", "workbook/sources")
+PROOFS_OF_THE_REST = ("workbook/numbers", "workbook/programs", "workbook/contacts",
+                      "workbook/direct_solver", "workbook/front_door", "workbook/pictures",
+                      "workbook/lanes", "workbook/grade", "workbook/attempts",
+                      "workbook/hand_out", "workbook/doors",
                       "live/module", "live/page", "live/picture", "course/reports",
                       "course/page", "course/firefox", "bench/cost", "peers/packages", "library/library", "library/pkg_config",
                       "library/package")
 # What runs once more under the sanitizers: where memory is moved about. The judging of exercises
 # moves none.
 SANITIZED = ("engine", "joints", "lanes", "direct", "fuzz")
-LEFT_OUT = ("float, counted instructions, pictures, the pages in a browser, grading,\n"
-            "  the library seen from outside, published engines")
+LEFT_OUT = ("float, slow tests, random worlds, the chapters' programs and the numbers in the texts,\n"
+            "  counted instructions, pictures, the pages in a browser, the commands, grading,\n"
+            "  the library seen from outside, benches, published engines")
 
 
 @dataclass
@@ -84,6 +86,12 @@ class Choice:
             return {"rest"}
         return {"first"} if self.only_first else {"first", "rest"}
 
+    def only_of(self, program):
+        """Catch2's filter for a program: what is named, or the tests of this part."""
+        if self.only or self.parts == {"first", "rest"} or program.part == "rest":
+            return self.only
+        return f"~{SLOW}" if self.parts == {"first"} else SLOW
+
     @property
     def only_first(self):
         return not (self.args.words or self.args.rest or self.args.all or self.args.sanitize)
@@ -106,9 +114,11 @@ def choice_of(args):
             wanted |= topics_with(word)
         else:
             wanted.add(topic_of(word, topics))
-    choice.only = ",".join(names)
+    choice.only, slow = ",".join(names), slow_topics()
     choice.programs = [one for one in every if (not wanted or one.topic in wanted)
-                       and one.part in choice.parts and not (names and one.kind == "answers")
+                       and (one.part in choice.parts
+                            or "rest" in choice.parts and one.topic in slow)
+                       and not (names and one.kind == "answers")
                        and not ((args.quick or args.sanitize) and one.number != "double")
                        and not (args.sanitize and not wanted and one.topic not in SANITIZED)]
     if not names and not args.sanitize:
@@ -117,6 +127,11 @@ def choice_of(args):
     if args.sanitize and not args.words:
         choice.runs = [f"{chapter.folder}_run" for chapter in house.chapters()]
     return choice
+
+
+def slow_topics():
+    return {path.parent.name for path in (house.ROOT / "tests").glob("*/*_test.cpp")
+            if SLOW in path.read_text()}
 
 
 def topics_with(word):
@@ -160,7 +175,7 @@ def jobs_of(choice, report):
     there = [one for one in choice.programs if one.path.exists()]
     for one in there:
         if one.kind != "answers":
-            yield proving.run_catch, one, choice.only, report
+            yield proving.run_catch, one, choice.only_of(one), report, bool(choice.only)
     for one in there:
         if one.kind == "answers":
             chapter = house.chapter_of(one.topic)

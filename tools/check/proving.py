@@ -37,8 +37,8 @@ def indented(words):
     return "\n".join("    " + line for line in lines)
 
 
-def run_catch(program, only, report):
-    """All cases of a program."""
+def run_catch(program, only, report, named):
+    """All cases of a program, or some; those that are `named` may be in others."""
     with tempfile.NamedTemporaryFile("r", prefix="joints_") as counts:
         env = dict(os.environ, WORKBOOK_COUNTS=counts.name)
 
@@ -49,7 +49,7 @@ def run_catch(program, only, report):
         for line in counts:
             what, number = line.rsplit(" ", 1)
             report.proved[what] += int(number)
-    if not outcome.cases and not only:
+    if not outcome.cases and not named:
         outcome.failed.append(("", "no test ran"))
     report.passed[program.kind, program.topic, program.number] += \
         len(outcome.cases) - len(outcome.failed)

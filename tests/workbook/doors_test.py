@@ -61,8 +61,9 @@ class Copy:
     def type(self, words, **more):
         """(exit status, what is said) of ./wb with words."""
         result = subprocess.run(["./wb", *shlex.split(words)], cwd=self.root,
-                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                                errors="replace", timeout=1200, **{"env": self.env, **more})
+                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                stderr=subprocess.STDOUT, text=True, errors="replace",
+                                timeout=1200, **{"env": self.env, **more})
         return result.returncode, " ".join(result.stdout.split())
 
     def typed(self, words, status, *expected, hidden=("Traceback", "pkgRedirects"), **more):

@@ -134,13 +134,18 @@ def exercise_of(word):
     return chapter, id_
 
 
+def sources(root):
+    """All files below a folder: nothing that was built, drawn or is hidden."""
+    for folder, folders, names in os.walk(root):
+        folders[:] = [name for name in folders if name[0] != "." and name != "__pycache__"
+                      and not (Path(folder) == root and re.match("out$|build", name))]
+        yield from (Path(folder, name) for name in names if name[0] != ".")
+
+
 def files(root, *endings):
     """All files of the workbook with these endings: nothing that was built, drawn or is hidden."""
-    for path in sorted(root.rglob("*")):
-        parts = path.relative_to(root).parts
-        made = parts[0] == "out" or parts[0].startswith("build")
-        if path.is_file() and path.suffix in endings and not made and not any(
-                part.startswith(".") or part == "__pycache__" for part in parts):
+    for path in sorted(sources(root)):
+        if path.suffix in endings:
             yield path
 
 
@@ -243,11 +248,9 @@ def run_ninja(command, what):
 def dates_in_the_past():
     """A source from a clock that is ahead would be built again for ever: its date becomes now."""
     now = time.time()
-    for folder, folders, names in os.walk(ROOT):
-        folders[:] = [name for name in folders if name[0] != "." and name not in ("build", "out")]
-        for path in (os.path.join(folder, name) for name in names):
-            if os.lstat(path).st_mtime > now + 1:
-                os.utime(path)
+    for path in sources(ROOT):
+        if path.lstat().st_mtime > now + 1:
+            os.utime(path)
 
 
 @contextlib.contextmanager

@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 from base import house
 from check import dearest, judging, proving
 
-# The proofs that are scripts. To the rest belongs what costs much and tells little to those who edit
-# a chapter, as do the tests that are tagged [slow].
+# The proofs that are scripts. What costs much and tells little to those who edit a chapter belongs
+# to the rest, as the tests do that are tagged [slow].
 SLOW = "[slow]"
 PROOFS = ("workbook/exercises", "workbook/texts", "workbook/sources")
 PROOFS_OF_THE_REST = ("workbook/numbers", "workbook/programs", "workbook/contacts",
@@ -19,14 +19,14 @@ PROOFS_OF_THE_REST = ("workbook/numbers", "workbook/programs", "workbook/contact
                       "workbook/lanes", "workbook/grade", "workbook/attempts",
                       "workbook/hand_out", "workbook/doors",
                       "live/module", "live/page", "live/picture", "course/reports",
-                      "course/page", "course/firefox", "bench/cost", "peers/packages", "library/library", "library/pkg_config",
-                      "library/package")
+                      "course/page", "course/firefox", "bench/cost", "peers/packages",
+                      "library/library", "library/pkg_config", "library/package")
 # What runs once more under the sanitizers: where memory is moved about. The judging of exercises
 # moves none.
 SANITIZED = ("engine", "joints", "lanes", "direct", "fuzz")
-LEFT_OUT = ("float, slow tests, random worlds, the chapters' programs and the numbers in the texts,\n"
-            "  counted instructions, pictures, the pages in a browser, the commands, grading,\n"
-            "  the library seen from outside, benches, published engines")
+LEFT_OUT = ("float, slow tests, random worlds, the chapters' programs, numbers in the texts,\n"
+            "  pictures, pages in a browser, the commands, grading, counted instructions,\n"
+            "  benches, published engines, the library seen from outside")
 
 
 @dataclass

@@ -12,7 +12,7 @@ def commands(lender, target, name):
     own = re.compile(rf"/({name}|where)\.cpp'?$| qc \S+_(mine|mixed)\.a | -o \S+_mine ")
     said = subprocess.run(["ninja", "-C", lender, "-t", "commands", target],
                           capture_output=True, text=True, check=True).stdout
-    compiler = re.search(r"^CMAKE_CXX_COMPILER:\w+=(.*)$",
+    compiler = re.search(r"^CMAKE_CXX_COMPILER:\w+=(.*)$|\Z",
                          (Path(lender) / "CMakeCache.txt").read_text(), re.M)[1]
 
     def plain(part):  # without what another launches the compiler by, and quoted in one way

@@ -227,10 +227,10 @@ def each_chapter_is_judged(root, build):
             : built.printed; }})()""")
         if said != "done":
             yield f"{id_}: {said}"
-        browser.ask(f"other.src = '{shell.text_of(chapter)}'")
+        browser.ask(f"other.src = '{chapter.page_name}'")
         page = "other.contentDocument.documentElement"
         browser.wait(f"{page}.dataset.course === 'ready' && "
-                     f"other.contentWindow.location.pathname === '/{shell.text_of(chapter)}'")
+                     f"other.contentWindow.location.pathname === '/{chapter.page_name}'")
         wide, open_ = browser.ask(f"""[{page}.scrollWidth, {json.dumps(chapter.ids())}.filter(id =>
             !{page}.querySelector(`[data-exercise="${{id}}"] .cm-content`)).join()]""")
         if wide > 390 or open_:

@@ -21,7 +21,6 @@ sys.path[:0] = [str(HERE.parent / folder) for folder in ("workbook", "live")]
 from proofs import exercises, house, main, notes, read  # noqa: E402
 
 from course import packing, serving  # noqa: E402
-from website import shell  # noqa: E402
 from website.browser import Browser, there  # noqa: E402
 
 PAGE = "chapters_01_distance_README.html"

@@ -258,6 +258,7 @@ def nothing_is_lost(root, build, kind=Browser):
     browser = exercise.browser
     exercise.take_in(json.dumps(file_with(WRONG)))
     exercise.write(RIGHT)
+    exercise.check()
     kept = browser.wait("document.documentElement.dataset.offline", patience=PATIENCE)
     browser.open(address + PAGE, ready=READY, still=True)
     browser.ask("""(made => { URL.createObjectURL = blob => {

@@ -256,6 +256,7 @@ def nothing_is_lost(root, build, kind=Browser):
     exercise, server, address = tab(kind)
     browser = exercise.browser
     exercise.take_in(json.dumps(file_with(WRONG)))
+    exercise.check()
     exercise.write(RIGHT)
     kept = browser.wait("document.documentElement.dataset.offline", patience=PATIENCE)
     browser.open(address + PAGE, ready=READY, still=True)

@@ -19,7 +19,7 @@ FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-
          "--disable-web-security", "--allow-file-access-from-files", "--remote-debugging-pipe",
          "--hide-scrollbars", "--disable-site-isolation-trials",
          "--disable-features=BackForwardCache,SpareRendererForSitePerProcess"]
-PATIENCE = 120  # with a state that does not come [s]
+PATIENCE = 300  # with a state that does not come [s]
 READY = "document.documentElement?.dataset.ready === 'yes'"
 STATE = """[location.href, document.readyState, JSON.stringify(document.documentElement.dataset),
   document.body?.innerText.slice(0, 500)].join(" | ")"""

@@ -168,7 +168,7 @@ def answers(c):
                   "DDDDDD", "it calls exit"),
         "greedy": (c.answer("1.6", "std::vector<double> all(1);\n"
                             "  for (;;) all.resize(2 * all.size());\n  return {};"), "DDDDDW",
-                   "1 GB"),
+                   "more memory was requested than a test may have"),
     }
     return {name: ({f"{name}/{FILE}": text}, states, words)
             for name, (text, states, words) in table.items()}

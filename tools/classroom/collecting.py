@@ -176,7 +176,7 @@ def is_one(folder):
 def places_in(place):
     """(where each submission lies, whether they are a class) of a named place."""
     if not place.exists():
-        raise house.Trouble(f"grade: {place}: there is no such folder")
+        raise house.Trouble(f"grade: {house.short(place)}: there is no such folder")
     if place.is_file() or is_one(place):
         return [place], False
     inner = [entry for entry in sorted(place.iterdir()) if not NOT_THEIRS.match(entry.name) and (

@@ -16,7 +16,7 @@ MEANINGS = [(re.compile(pattern, re.M), words) for pattern, words in {
     r"Assertion `(.+)' failed": r"assert(\1) does not hold",
     r"larger than max_size\(\)|vector::(_M_default_append|reserve)|array_new_length":
         "a vector was given an impossible size: is it negative?",
-    r"bad_alloc": "more memory was requested than the limit of 1 GB: a vector that grows without "
+    r"bad_alloc": "more memory was requested than a test may have: a vector that grows without "
                   "end?",
     r"stack smashing": "something was written behind the end of an array of the function: is it "
                        "too small?",

@@ -14,7 +14,7 @@ from judge import crashes
 # Processor time for the tests of an exercise [s]: they take milliseconds. The proofs wait less.
 LIMIT = int(os.environ.get("WORKBOOK_LIMIT", "4"))
 WAIT = 15  # for work that may wait [s]: a busy machine lets others wait, too
-STACK, MEMORY = 16, 1024  # [MB]; a function that calls itself for ever fills the stack at once
+STACK, MEMORY = 16, 256  # [MB]: what grows for ever fills them at once
 LIMITED = "".join(f"ulimit -S {limit} 2>/dev/null; " for limit in (
     f"-s {STACK * 1024}", f"-v {MEMORY * 1024}", "-t $0")) + 'exec "$@"'
 MOST = 1 << 16  # of its output are kept [bytes]

@@ -86,7 +86,7 @@ VAIN = [
     'reads("{other}")',
     'reads("{root}/tools/wb.py")',
     'reads("/proc/self/environ")',
-    'opendir("{root}") != nullptr && readdir(opendir("{root}/solutions")) != nullptr',
+    'opendir("{root}/solutions") != nullptr || opendir("{root}/tests") != nullptr',
     'std::getenv("WORKBOOK_SECRET") != nullptr',
     'writes("{victim}")',
     'writes("{root}/new_file")',

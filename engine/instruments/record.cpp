@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <numeric>
 
 namespace joints {
@@ -47,13 +48,13 @@ std::string triple(const std::array<double, 3>& a) {
 }  // namespace
 
 CsvFile::CsvFile(const std::string& path, std::initializer_list<const char*> columns)
-    : file_(open(path)), path_(path), columns_(columns.size()) {
+    : file_(std::make_shared<std::ofstream>(open(path))), path_(path), columns_(columns.size()) {
   const char* comma = "";
   for (const char* column : columns) {
-    file_ << comma << column;
+    *file_ << comma << column;
     comma = ",";
   }
-  file_ << '\n';
+  *file_ << '\n';
 }
 
 void CsvFile::row(std::initializer_list<double> numbers) { row({}, numbers); }
@@ -64,14 +65,14 @@ void CsvFile::row(std::initializer_list<std::string> words,
     refuse("row: " + path_ + " has " + std::to_string(columns_) + " columns");
   const char* comma = "";
   for (const std::string& word : words) {
-    file_ << comma << field(word);
+    *file_ << comma << field(word);
     comma = ",";
   }
   for (double number : numbers) {
-    file_ << comma << text(number);
+    *file_ << comma << text(number);
     comma = ",";
   }
-  file_ << '\n';
+  *file_ << '\n';
 }
 
 Motion::Motion(std::string title, double h, int every)

@@ -3,8 +3,9 @@
 #pragma once
 
 #include <array>
-#include <fstream>
 #include <initializer_list>
+#include <iosfwd>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,7 @@ class CsvFile {
   void row(std::initializer_list<std::string> words, std::initializer_list<double> numbers);
 
  private:
-  std::ofstream file_;
+  std::shared_ptr<std::ostream> file_;  // a file; libc++ in a browser has no std::ofstream
   std::string path_;
   std::size_t columns_;
 };

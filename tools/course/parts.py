@@ -10,6 +10,7 @@ import shutil
 import struct
 import subprocess
 import tarfile
+import tempfile
 from pathlib import Path
 
 from base import exercises, house
@@ -38,26 +39,28 @@ def package(name, known=None):
     was written down, in packages.json or in `known`."""
     known = known or PACKAGES[name]
     folder = BUILD / "npm" / name / known["version"]
-    if not (folder / known["take"]).exists():
-        house.progress(f"fetching {name}")
-        folder.mkdir(parents=True, exist_ok=True)
-        got = subprocess.run(["npm", "pack", "--silent", f"{name}@{known['version']}"], cwd=folder,
+    if (folder / known["take"]).exists():
+        return folder / known["take"]
+    house.progress(f"fetching {name}")
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    # Two that fetch at once do not see each other's half.
+    with tempfile.TemporaryDirectory(dir=folder.parent) as apart:
+        got = subprocess.run(["npm", "pack", "--silent", f"{name}@{known['version']}"], cwd=apart,
                              capture_output=True, text=True)
         if got.returncode:
             raise house.Trouble(f"npm cannot fetch {name} {known['version']}:\n{got.stderr[-500:]}")
-        archive = folder / got.stdout.split()[-1]
+        archive = Path(apart, got.stdout.split()[-1])
         kind, _, wanted = known["integrity"].partition("-")
         if base64.b64encode(hashlib.new(kind, archive.read_bytes()).digest()).decode() != wanted:
-            archive.unlink()
             raise house.Trouble(f"{name} {known['version']} has changed: its {kind} differs")
         with tarfile.open(archive) as parts:
             for part in parts.getmembers():
                 path = part.name.partition("/")[2]
                 if part.isfile() and (path == known["take"] or re.match("licen[sc]e", path, re.I)):
-                    target = folder / path
-                    target.parent.mkdir(parents=True, exist_ok=True)
-                    target.write_bytes(parts.extractfile(part).read())
-        archive.unlink()
+                    (Path(apart) / path).parent.mkdir(parents=True, exist_ok=True)
+                    (Path(apart) / path).write_bytes(parts.extractfile(part).read())
+                    (folder / path).parent.mkdir(parents=True, exist_ok=True)
+                    (Path(apart) / path).replace(folder / path)
     return folder / known["take"]
 
 

@@ -6,17 +6,14 @@ it keeps, also for use without a network; pages from a disk. Skipped, with exit 
 there is no Firefox or no out/course.
 """
 import sys
-from pathlib import Path
 
-sys.dont_write_bytecode = True
-HERE = Path(__file__).absolute().parent
-sys.path += [str(HERE.parent / folder) for folder in ("workbook", "live")]
-from page_test import (ENDLESS_CALLS, FAULTS, RIGHT, WRONG, lacks, nothing_is_lost,  # noqa: E402
-                       one_file_is_enough, tab)
-import firefox  # noqa: E402
-from proofs import house, main, notes  # noqa: E402
+from reader import RIGHT, WRONG, lacks, tab
 
-from course import packing  # noqa: E402
+import firefox
+from page_test import CALLS_ITSELF, FAULTS, nothing_is_lost, one_file_is_enough
+from proofs import house, main, notes
+
+from course import packing
 
 MOST_TABS = 300
 
@@ -44,16 +41,15 @@ def the_first_exercise_by_keys(root, build):
         exercise.await_text(answer)
         tab_to(here, f"{exercise.place}.querySelector('button.check')")
         yield from lacks(exercise.check(lambda: here.keys(firefox.ENTER)), *words)
-    yield from lacks(exercise.scene("document.documentElement.dataset.ready && time > 0.2 && "
-                                    "!panels.some(one => one.stopped)"), "yours")
+    yield from lacks(exercise.scene(), "yours")
     exercise.ask(".querySelector('.scene').replaceChildren()")
 
 
 def a_paste_is_taken(root, build):
     """in Firefox an editor takes what is pasted; a full stack is told"""
     exercise, *_ = tab(firefox.Firefox)
-    exercise.write(ENDLESS_CALLS)
-    yield from lacks(exercise.check(), FAULTS[ENDLESS_CALLS])
+    exercise.write(CALLS_ITSELF)
+    yield from lacks(exercise.check(), FAULTS[CALLS_ITSELF])
 
 
 def in_firefox(proof):

@@ -1,7 +1,7 @@
 // Which version of an exercise file a test was linked with, so that a report can name the line.
 #pragma once
 
-#include <fstream>
+#include <cstdio>
 #include <string>
 
 namespace joints::testing {
@@ -14,13 +14,24 @@ extern const char* const exercise_file;
 inline std::string exercise_place(const std::string& id, int region) {
   const std::string name = exercise_file;
   if (name.empty() || id.empty()) return "";
-  std::ifstream file(name);  // as ./wb calls it; from elsewhere:
-  if (!file) file.open(std::string(WORKBOOK_ROOT) + "/" + name);
-  std::string line;
-  for (int number = 1; std::getline(file, line); ++number)
-    if (line.find("// begin [exercise " + id + "]") != std::string::npos && --region == 0)
-      return name + ":" + std::to_string(number);
-  return name;
+  // C's files: libc++ in a browser has no others.
+  std::FILE* file = std::fopen(name.c_str(), "r");  // as ./wb calls it; from elsewhere:
+  if (!file) file = std::fopen((std::string(WORKBOOK_ROOT) + "/" + name).c_str(), "r");
+  if (!file) return name;
+  std::string line, place = name;
+  int number = 1;
+  for (int c; (c = std::fgetc(file)) != EOF;) {
+    line += char(c);
+    if (c != '\n') continue;
+    if (line.find("// begin [exercise " + id + "]") != std::string::npos && --region == 0) {
+      place += ":" + std::to_string(number);
+      break;
+    }
+    line.clear();
+    ++number;
+  }
+  std::fclose(file);
+  return place;
 }
 
 }  // namespace joints::testing

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "engine/sequential_impulses.h"
+#include "engine/steps/two_pass_impulses.h"
 
 /// \addtogroup bench
 /// @{
@@ -21,7 +21,7 @@ enum class Order {
 };
 
 /// Sequential Impulses in a chosen order.
-class OrderedImpulses : public SequentialImpulses {
+class OrderedImpulses : public TwoPassImpulses {
  public:
   Order order = Order::forward;  ///< of the blocks in an iteration
   unsigned seed = 1;             ///< of the shuffled order

@@ -128,7 +128,7 @@ namespace {
 
 Stepping stepping_of(const Way& way) {
   return {.warm_start = way.warm, .substeps = way.substeps, .projections = way.projections,
-          .leapfrog = way.leapfrog, .frequency = way.frequency};
+          .leapfrog = way.leapfrog, .frequency = way.frequency, .row_by_row = way.row_by_row};
 }
 
 template <class Kind>
@@ -144,7 +144,6 @@ Step of_the_engine(const Way& way, int iterations) {
   if (way.loop == Loop::rows) {
     OrderedImpulses solver;
     solver.order = way.order;
-    solver.row_by_row = way.row_by_row;
     solver.relax_iterations = way.relax;
     solver.split_iterations = way.split;
     return step_with(solver, way, iterations);

@@ -9,7 +9,7 @@
 #include "bench/runner.h"
 #include "chapters/09_direct/runge_kutta.h"
 #include "engine/sequential_impulses.h"
-#include "engine/step.h"
+#include "engine/steps/step.h"
 #include "engine/simd/packed.h"
 
 /// \addtogroup bench

@@ -9,7 +9,7 @@
 #include "bench/runner.h"
 #include "chapters/09_direct/direct_solver.h"
 #include "engine/sequential_impulses.h"
-#include "engine/step.h"
+#include "engine/steps/step.h"
 
 /// \addtogroup bench
 /// @{

@@ -9,7 +9,7 @@ RowTarget without_feedback(RowTarget target) {
 }
 
 void Blocks::truncate(int count) {
-  if (count == 0) tolerances.clear(), reversals.clear();
+  if (count == 0) after_move = nullptr;
   if (count >= int(list.size())) return;
   C.resize(std::size_t(list[count].first));
   list.resize(std::size_t(count));

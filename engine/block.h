@@ -14,6 +14,9 @@
 /// @{
 namespace joints {
 
+class Solver;
+class World;
+
 /// Feedback, target rate and bounds of a block's rows. Beta, frequency and damping apply to all
 /// rows; the rate and the bounds apply to the last one.
 /// An aggregate: set only the members that you need, as in
@@ -30,6 +33,9 @@ struct RowTarget {
   int follows = 0;
   real lower = -unbounded;  ///< least force of the last row [N or N m]; 0 for C >= 0
   real upper = unbounded;   ///< greatest force of the last row [N or N m]
+  // Of a one-sided last row; they apply to the impulses of a step, not to position projection:
+  real slop = 0;             ///< violation that is not corrected [unit of C]
+  real push = unbounded;     ///< greatest speed of the correction [unit of C per s]
 
   /// True if the last row enforces C >= 0 and only pushes. It is speculative while C > 0.
   bool one_sided() const { return holds_position && follows == 0 && lower == 0; }
@@ -78,28 +84,21 @@ struct Block {
   real* impulse = nullptr;          ///< the accumulated impulses [N s or N m s], in the joint
 };
 
+/// The part of the error C <= 0 of a one-sided row that the step corrects.
+/// \param rate StepTarget::rate [1/s] \return unit of C, not positive
+inline real corrected(const RowTarget& target, real C, real rate) {
+  return std::max(std::min(C + target.slop, real(0)), -target.push / rate);
+}
+
 /// The bias of row `i` of a block, minus the required J V, from its error C.
 /// \param rate StepTarget::rate [1/s] \param h step [s]
 inline real bias(const Block& block, int i, real C, real rate, real h) {
   if (i < block.rows - 1) return rate * C;
-  // speculative: the gap may close, but not more
-  return (block.target.one_sided() && C > 0 ? C / h : rate * C) - block.target.rate;
+  const RowTarget& target = block.target;
+  if (!target.one_sided()) return rate * C - target.rate;
+  // speculative while C > 0: the gap may close, but not more
+  return (C > 0 ? C / h : rate * corrected(target, C, rate)) - target.rate;
 }
-
-/// Bounds the correction of a one-sided last row. It applies to the impulses of a step, not to
-/// position projection.
-struct Tolerance {
-  int block = 0;          ///< index of the block in Blocks::list
-  real slop = 0;          ///< violation that is not corrected [unit of C]
-  real push = unbounded;  ///< greatest speed of the correction [unit of C per s]
-};
-
-/// The reversal of a one-sided last row after an impact in the step.
-struct Reversal {
-  int block = 0;  ///< its index in Blocks::list
-  real rate = 0;  ///< J V after the bodies have moved [unit of C per s]
-  real ratio = 0;  ///< greatest impulse of the reversal over that which stops the row [1]
-};
 
 /// A change of J V of a row that corrects the poses [unit of C per s].
 struct Correction {
@@ -126,8 +125,9 @@ class Blocks {
   /// no position.
   std::vector<real> C;
   std::vector<Row> J;   ///< their rows; rows of former steps may follow behind the last of them
-  std::vector<Tolerance> tolerances;  ///< the step shortens the errors C by these, and empties it
-  std::vector<Reversal> reversals;  ///< of the step; they follow the move of the bodies (end_step)
+  /// Called at the end of the step, once the bodies have moved; null for nothing. A joint that
+  /// appends blocks may set it.
+  void (*after_move)(World& world, Solver& solver, real h) = nullptr;
   bool errors_only = false;  ///< append only C and no rows of J: for the errors at other poses
   real acted = 0;  ///< `acting` of the last step [s]; 0 before the first
   /// The time for which the impulses of this step act [s]: h, or with leapfrog the time between the

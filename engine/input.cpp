@@ -48,18 +48,9 @@ void check_input(const World& world, real h) {
     named("joint", number++, [&] { joint->check_input(bodies); });
 }
 
-void check_input(const World& world, const Solver& solver, real h, const Stepping& how) {
+void check_input(const World& world, const Solver& solver, real h) {
   solver.check();
-  require(how.projections >= 0, "projections: must not be negative");
-  require(finite(how.frequency) && how.frequency >= 0, "frequency", how.frequency,
-          "must be finite and not negative [Hz]");
-  require(finite(how.damping) && how.damping >= 0, "damping", how.damping,
-          "must be finite and not negative [1]");
   check_input(world, h);
-  const StepTarget spring =
-      step_target({.beta = 1, .frequency = how.frequency, .damping = how.damping}, h, h);
-  require(finite(spring.rate) && finite(spring.softness), "frequency", how.frequency,
-          "a spring of this frequency and damping must be possible in a step of this length [Hz]");
 }
 
 void check_motion(const Bodies& bodies) {

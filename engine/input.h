@@ -1,7 +1,8 @@
 // Validation in a step: all input before anything changes, and all bodies at the end.
 #pragma once
 
-#include "engine/step.h"
+#include "engine/solver.h"
+#include "engine/world.h"
 
 /// \addtogroup world
 /// @{
@@ -14,8 +15,8 @@ constexpr real longest_step = real(1e9);    ///< greatest h that a step accepts 
 /// Joint::check_input(). \param h step [s], from shortest_step to longest_step
 /// \throws std::invalid_argument with the number of the body or joint, the member and the value
 void check_input(const World& world, real h);
-/// The same, and also validates the settings: Solver::check() and those of Stepping.
-void check_input(const World& world, const Solver& solver, real h, const Stepping& how);
+/// The same, and also validates the solver's settings, Solver::check().
+void check_input(const World& world, const Solver& solver, real h);
 
 /// Validates the motion. \throws std::overflow_error with the number of a body whose pose or
 /// velocities are not finite

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "engine/block.h"
-#include "engine/state_stream.h"
+#include "engine/kept/state_stream.h"
 
 /// \defgroup joint Joints
 /// \brief The interface between engine and joints; the joints themselves are in the chapters.

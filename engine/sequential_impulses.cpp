@@ -27,25 +27,7 @@ void push(Twelve& V, real lambda, const Row& response) {
   for (int k = 0; k < 12 / register_size; ++k) V.part[k] += lambda * twelve(response).part[k];
 }
 
-// Row i of a block as a block of its own: only the last one has a target rate and bounds.
-Block row_of(Block block, int i) {
-  if (i < block.rows - 1)
-    block.target.rate = 0, block.target.lower = -unbounded, block.target.upper = unbounded;
-  block.rows = 1;
-  block.first += i;
-  block.impulse += i;
-  return block;
-}
-
 }  // namespace
-
-void SequentialImpulses::check() const {
-  IterativeSolver::check();
-  require(relax_iterations >= 0, "relax_iterations: must not be negative");
-  require(split_iterations >= 0, "split_iterations: must not be negative");
-  require(relax_iterations == 0 || split_iterations == 0,
-          "relax_iterations: a split impulse leaves nothing to relax; one of the two must be 0");
-}
 
 // ---- once per step ------------------------------------------------------------------------------
 
@@ -59,18 +41,15 @@ void SequentialImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int
   for (int k = first; k < int(blocks.list.size()); ++k) {
     const Block& block = blocks.list[std::size_t(k)];
     if (block.target.follows != 0) followed_row(blocks, k);  // rejects one that follows no row
-    if (!row_by_row) add(bodies, blocks, block, h);
-    else for (int i = 0; i < block.rows; ++i) add(bodies, blocks, row_of(block, i), h);
+    add(bodies, blocks, block, h);
   }
 }
 
 void SequentialImpulses::add(const Bodies& bodies, const Blocks& blocks, const Block& block,
                              real h) {
   auto& [prepared, rows, inverse_K] = prepared_;
-  const bool split = split_iterations > 0 && block.corrects;
   const PreparedBlock out{block, int(inverse_K.size()),
-                          step_target(split ? without_feedback(block.target) : block.target, h,
-                                      blocks.acts(h), relaxation)};
+                          step_target(block.target, h, blocks.acts(h), relaxation)};
   prepared.push_back(out);
 
   const int n = block.rows;
@@ -107,74 +86,6 @@ void SequentialImpulses::warm_start(Bodies& bodies, real ratio) {
     }
     set_velocities(body1, body2, V);
   }
-}
-
-// ---- the end of a step --------------------------------------------------------------------------
-
-void SequentialImpulses::advance(Bodies& bodies, real h, const Append& append) {
-  if (split_iterations > 0) return advance_split(bodies, h);
-  Solver::advance(bodies, h, append);
-  if (relax_iterations > 0) relax(bodies, h);
-}
-
-// Gives a block the scales and biases of another target with the same bounds.
-void SequentialImpulses::retarget(PreparedBlock& block, const Blocks& blocks,
-                                  const RowTarget& target, real h) {
-  const StepTarget now = step_target(target, h, blocks.acts(h), relaxation);
-  const real scale = now.mass_scale / block.step.mass_scale;
-  for (int i = 0; i < block.rows * block.rows; ++i)
-    prepared_.inverse_K[std::size_t(block.first_K + i)] *= scale;
-  block.step.mass_scale = now.mass_scale;
-  block.step.impulse_scale = now.impulse_scale;
-  for (int i = 0; i < block.rows; ++i) {
-    const std::size_t row = std::size_t(block.first + i);
-    prepared_.rows[row].bias = bias(block, i, blocks.C[row], now.rate, h);
-  }
-}
-
-void SequentialImpulses::relax(Bodies& bodies, real h) {
-  const Blocks& blocks = blocks_of(bodies);
-  for (PreparedBlock& block : prepared_.blocks)
-    if (block.corrects) retarget(block, blocks, without_feedback(block.target), h);
-  for (int i = 0; i < relax_iterations; ++i) iterate(bodies);  // Eq. 6-15
-}
-
-void SequentialImpulses::advance_split(Bodies& bodies, real h) {
-  const Blocks& blocks = blocks_of(bodies);
-  split_impulses_.assign(blocks.C.size(), real(0));
-  split_blocks_.clear();
-  for (PreparedBlock& block : prepared_.blocks) {
-    if (!block.corrects) continue;
-    retarget(block, blocks, block.target, h);
-    split_blocks_.push_back(block);
-    split_blocks_.back().impulse = &split_impulses_[std::size_t(block.first)];
-    // a limit uses the sum of both velocities, an equality only the correcting one
-    const std::size_t last = std::size_t(block.first + block.rows - 1);
-    prepared_.rows[last].bias +=
-        block.target.one_sided()
-            ? row_velocity(blocks.J[last], bodies.at(block.body1), bodies.at(block.body2))
-            : block.target.rate;
-  }
-
-  const auto for_bodies = [&](const auto& f) {
-    for (int slot = 0; slot < bodies.slots(); ++slot) f(bodies.at(slot), velocities_[slot]);
-  };
-  velocities_.resize(std::size_t(bodies.slots()));
-  for_bodies([](Body& body, auto& kept) {
-    if (!body.is_static()) clamp_speed(body);
-    kept = {body.v, body.w};
-    body.v = body.w = vec3(0);
-  });
-  prepared_.blocks.swap(split_blocks_);
-  for (int i = 0; i < split_iterations; ++i) iterate(bodies);  // Eq. 6-13
-  prepared_.blocks.swap(split_blocks_);
-  for_bodies([h](Body& body, const auto& kept) {
-    body.v += kept.first;
-    body.w += kept.second;
-    integrate_pose(body, h);  // Eq. 6-14
-    body.v = kept.first;
-    body.w = kept.second;
-  });
 }
 
 // ---- the iterations -----------------------------------------------------------------------------

@@ -16,7 +16,7 @@ struct PreparedRow {
   real clamp_response;
 };
 
-/// A block with the data that the inner loop needs. With row_by_row it is one row of a block.
+/// A block with the data that the inner loop needs.
 struct PreparedBlock : Block {
   int first_K;      ///< index of the first number of K^-1 in Prepared::inverse_K
   StepTarget step;  ///< its target as scales and bounds
@@ -38,39 +38,21 @@ struct Prepared {
 /// "Fast and Simple Physics using Sequential Impulses", GDC 2006.
 class SequentialImpulses : public IterativeSolver {
  public:
-  bool row_by_row = false;  ///< solve each row as a block of its own (chapter 2)
-  /// The number of relax iterations. They are done after the bodies have moved, with the J of the
-  /// step's beginning and without feedback (without_feedback()), and they remove the velocity that
-  /// the feedback has added. The accumulated impulses and their bounds include both kinds of
-  /// iterations. Springs that a joint itself has set are not changed. Source: Catto, "Solver2D",
-  /// 2024 (soft step).
-  int relax_iterations = 0;
-  /// The number of iterations of the split impulse. With split impulse the velocities are solved
-  /// without feedback. These iterations solve for a second velocity per body with feedback, which
-  /// starts from zero in every step. Both velocities move the bodies, and then the second one and
-  /// its impulses are discarded. It cannot be combined with relax iterations.
-  /// Source: Bullet, btSequentialImpulseConstraintSolver (m_splitImpulse).
-  int split_iterations = 0;
-
-  void check() const override;
   /// Prepares blocks. \throws std::invalid_argument if a bound follows an impulse without a row
   void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) override;
   /// Sets the impulse of a row to zero if its Jacobian is zero or if it depends on other rows of
   /// its block.
   void warm_start(Bodies& bodies, real ratio) override;
   void solve(Bodies& bodies) override;
-  /// Moves the bodies. Split impulses are solved before that, and relax iterations are done after
-  /// it.
-  void advance(Bodies& bodies, real h, const Append& append) override;
 
   // Parts of solve(), for measurements between iterations or for another order.
 
   /// One iteration over all prepared blocks.
   void iterate(Bodies& bodies);
-  /// One iteration over the prepared blocks [from, to). With row_by_row each row is a block.
+  /// One iteration over the prepared blocks [from, to).
   /// \throws std::invalid_argument unless 0 <= from and to <= prepared_count()
   void iterate(Bodies& bodies, int from, int to);
-  /// The number of prepared blocks: the blocks of the step, or their rows with row_by_row.
+  /// The number of prepared blocks.
   int prepared_count() const { return int(prepared_.blocks.size()); }
 
  protected:
@@ -78,16 +60,8 @@ class SequentialImpulses : public IterativeSolver {
 
  private:
   void add(const Bodies& bodies, const Blocks& blocks, const Block& block, real h);
-  void retarget(PreparedBlock& block, const Blocks& blocks, const RowTarget& target, real h);
-  void relax(Bodies& bodies, real h);
-  void advance_split(Bodies& bodies, real h);
   template <int N>
   void solve_block(Body* bodies, const Row* J, const PreparedBlock& block);
-
-  // For the split impulses: the blocks, an impulse per row, v and w of each body.
-  std::vector<PreparedBlock> split_blocks_;
-  std::vector<real> split_impulses_;
-  std::vector<std::pair<vec3, vec3>> velocities_;
 };
 
 }  // namespace joints

@@ -19,8 +19,7 @@ double product(const std::vector<real>& a, const std::vector<real>& b) {
 }  // namespace
 
 void ConjugateGradients::prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) {
-  require(!row_by_row && relax_iterations == 0 && split_iterations == 0 && relaxation == 1,
-          "conjugate gradients: no rows one by one, relax or split iterations, or relaxation");
+  require(relaxation == 1, "conjugate gradients: no relaxation");
   for (const Block& block : blocks.list)
     require(block.target.follows == 0 && block.target.lower == -unbounded &&
                 block.target.upper == unbounded,

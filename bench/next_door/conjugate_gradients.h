@@ -30,8 +30,7 @@ class ConjugateGradients : public SequentialImpulses {
   real tolerance = 0;
   int used = 0;  ///< iterations of the last solve()
 
-  /// \throws std::invalid_argument for a row with bounds, for row_by_row, relax iterations, split
-  /// impulses or a relaxation other than 1
+  /// \throws std::invalid_argument for a row with bounds, or a relaxation other than 1
   void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) override;
   void solve(Bodies& bodies) override;
 

@@ -9,7 +9,7 @@
 #include "chapters/02_ball/ball_joint.h"
 #include "chapters/05_fixed/fixed_joint.h"
 #include "engine/simd/packed.h"
-#include "engine/step.h"
+#include "engine/steps/step.h"
 
 namespace joints::bench {
 

@@ -59,6 +59,7 @@ class ContactJoint : public PointContacts {
     return length(one.place1 - other.place1) < same_place;
   }
   bool transient() const override { return true; }
+  std::span<const ContactPoint> points() const override { return points_; }
 
   inline void choose_rows(const Bodies& bodies, real h) override;
   void drop_rows() override { points_.assign(places_.size(), {}); }

@@ -90,6 +90,7 @@ class GroundContact : public PointContacts {
   /// Chooses the corners that have rows in this step and their directions of friction.
   inline void choose_rows(const Bodies& bodies, real h) override;
   void drop_rows() override { points_ = {}, live_ = 0, near_ = false; }
+  std::span<const ContactPoint> points() const override { return points_; }
   /// Appends friction, friction, normal of each corner that has rows.
   inline void append(const Bodies& bodies, Blocks& blocks) const override;
   /// Appends rows for corners that would penetrate the ground with the new velocities.

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 
 #include "chapters/08_ground/ground.h"
-#include "engine/joint.h"
+#include "engine/kept/state_stream.h"
+#include "engine/solver.h"
+#include "engine/world.h"
 
 /// \addtogroup chapter8
 /// @{
@@ -19,6 +22,7 @@ struct ContactPoint {
   bool has_last = false;    ///< last_rate is known
   real kick = 0;            ///< change of J V by the forces of a step [m/s]
   real rebound = 0;         ///< rate after an impact in this step [m/s]; 0: no rebound
+  real rebound_ratio = 0;   ///< greatest impulse of the rebound over that of the impact [1]
   std::array<vec3, 2> t{};  ///< directions of friction, unit, world
   real across = 0;          ///< factor of the bound along t[1] [1]
   std::array<real, 3> impulse{};  ///< friction along t[0], along t[1], normal [N s]
@@ -27,6 +31,13 @@ struct ContactPoint {
   /// The gap at the end of a step if no row holds it [m]. \param h step [s]
   real gap_after(real h) const { return C + h * rate; }
 };
+
+/// The end of an impact. The bodies have moved, so the gaps are closed: a first solve stops the
+/// rows, a second one reverses those of points with a rebound, with impulses of at most
+/// `rebound_ratio` times those that stopped them. This is the lesser of Newton's and Poisson's
+/// hypothesis, and adds no energy. The accumulated impulses continue those of the step and stay
+/// positive. \param h step [s]
+inline void apply_restitution(World& world, Solver& solver, real h);
 
 /// A joint whose rows are those of points of contact. Each has friction along t1, friction along
 /// t2, then the normal row.
@@ -58,6 +69,8 @@ class PointContacts : public Joint {
     require(push > 0, "push", push, "must be positive [m/s]");
   }
   Extras extras() const override { return {.bounded = true}; }  ///< bounds of contact and friction
+  /// All points, live or not.
+  virtual std::span<const ContactPoint> points() const = 0;
 
  protected:
   /// Before the points of a step: no point has a rebound yet.
@@ -105,7 +118,39 @@ inline void PointContacts::set_restitution(ContactPoint& point, real h) const {
   point.rebound = 0;
   if (restitution == 0 || point.rate >= 0 || point.C + h * point.rate >= 0) return;
   const real speed = impact_speed(point.C, point.rate, point.kick, h);
-  if (speed > threshold) point.rebound = restitution * speed - point.kick / 2;  // Eq. 8-10
+  if (speed <= threshold) return;
+  point.rebound = restitution * speed - point.kick / 2;  // Eq. 8-10
+  point.rebound_ratio = -point.rebound / point.rate;
+}
+
+inline void apply_restitution(World& world, Solver& solver, real h) {
+  Blocks& blocks = world.blocks;
+  for (const Block& block : blocks.list) {
+    if (!block.target.one_sided()) continue;
+    const int last = block.first + block.rows - 1;
+    real& C = blocks.C[std::size_t(last)];
+    if (C <= 0)
+      C = corrected(block.target, C, step_target(block.target, h, blocks.acts(h)).rate);
+    C = std::max(real(0), C + h * row_velocity(blocks.J[std::size_t(last)],
+                                              world.bodies.at(block.body1),
+                                              world.bodies.at(block.body2)));
+  }
+  solver.prepare(world.bodies, blocks, 0, h);
+  solver.solve(world.bodies);
+
+  auto block = blocks.list.begin();  // those of the points, in the same order
+  for (const auto& joint : world.joints()) {
+    const auto* const contacts = dynamic_cast<const PointContacts*>(joint.get());
+    if (!contacts) continue;
+    for (const ContactPoint& point : contacts->points()) {
+      if (!point.live || point.rebound == 0) continue;
+      while (block->impulse != &point.impulse[2]) ++block;
+      block->target.rate = point.rebound;
+      block->target.upper = (1 + point.rebound_ratio) * *block->impulse / blocks.acts(h);
+    }
+  }
+  solver.prepare(world.bodies, blocks, 0, h);
+  solver.solve(world.bodies);
 }
 
 // Chooses new directions of friction and projects the cached friction onto them. t1 is the
@@ -142,13 +187,10 @@ void PointContacts::append_point(ContactPoint& point, const Part& part, const Bo
                    .upper = i == 0 ? friction : point.across},  // Eq. 8-6
                   &point.impulse[std::size_t(i)]);
   }
-  blocks.append(bodies, body1, body2, part, hold(0), &point.impulse[2]);
-  if (const real C = blocks.C.back();
-      C < 0 && (slop > 0 || std::max(beta, real(1)) * C < -push * last_h()))
-    blocks.tolerances.push_back({int(blocks.list.size()) - 1, slop, push});
-  if (point.rebound > 0)
-    blocks.reversals.push_back(
-        {int(blocks.list.size()) - 1, point.rebound, -point.rebound / point.rate});
+  RowTarget target = hold(0);
+  target.slop = slop, target.push = push;
+  blocks.append(bodies, body1, body2, part, target, &point.impulse[2]);
+  if (point.rebound > 0) blocks.after_move = apply_restitution;
 }
 
 }  // namespace joints

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/simd/triple.h"
-#include "engine/step.h"
+#include "engine/steps/step.h"
 
 /// \defgroup chapter9 Chapter 9: the direct solver
 /// \brief All joints solved at once: the sparse matrix of the joints, its factor, and a motion of

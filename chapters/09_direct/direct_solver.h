@@ -2,7 +2,7 @@
 #pragma once
 
 #include "chapters/09_direct/positions.h"
-#include "engine/sequential_impulses.h"
+#include "engine/steps/two_pass_impulses.h"
 
 /// \addtogroup chapter9
 /// @{
@@ -36,7 +36,7 @@ class DirectSolver : public Solver {
   double most_work = 3000;
   /// The solver for such islands. It starts cold in every step and uses a split impulse, because
   /// with beta = 1 a light hub gains energy from warm starting and from feedback in the velocities.
-  SequentialImpulses fallback;
+  TwoPassImpulses fallback;
   PivotInverse inverse = inverse_pivot;  ///< how dependent rows are treated
 
   DirectSolver() { fallback.split_iterations = fallback.iterations; }

@@ -8,7 +8,7 @@
 #include "engine/input.h"
 #include "engine/instruments/rate.h"
 #include "engine/kernels.h"
-#include "engine/state.h"
+#include "engine/kept/state.h"
 
 namespace joints::live {
 

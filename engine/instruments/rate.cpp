@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/state.h"
+#include "engine/kept/state.h"
 
 namespace joints {
 

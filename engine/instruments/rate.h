@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "engine/sequential_impulses.h"
-#include "engine/step.h"
+#include "engine/steps/step.h"
 
 /// \addtogroup measuring
 /// @{

@@ -4,7 +4,7 @@
 
 #include "engine/instruments/record.h"
 #include "engine/sequential_impulses.h"
-#include "engine/step.h"
+#include "engine/steps/step.h"
 #include "engine/instruments/run.h"
 
 /// \addtogroup measuring

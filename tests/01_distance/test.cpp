@@ -2,7 +2,7 @@
 // stub and with every known wrong and right answer.
 #include "chapters/01_distance/distance_joint.h"
 #include "engine/sequential_impulses.h"
-#include "engine/step.h"
+#include "engine/steps/step.h"
 #include "tests/checker/catch.h"
 #include "tests/01_distance/clamp_cases.h"
 #include "tests/01_distance/drawn_cases.h"

@@ -3,7 +3,7 @@
 #include "engine/instruments/run.h"
 
 #include "chapters/02_ball/ball_joint.h"
-#include "engine/state.h"
+#include "engine/kept/state.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/oracle.h"
 

@@ -2,7 +2,7 @@
 // block Gauss-Seidel on a hundred cubes.
 #include "bench/runner.h"
 #include "engine/sequential_impulses.h"
-#include "engine/step.h"
+#include "engine/steps/step.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/oracle.h"
 #include "tests/oracle/shared.h"

@@ -3,7 +3,7 @@
 #include "bench/textbook.h"
 #include "chapters/03_hinge/hinge_joint.h"
 #include "engine/sequential_impulses.h"
-#include "engine/step.h"
+#include "engine/steps/step.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/oracle.h"
 

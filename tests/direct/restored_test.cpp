@@ -1,6 +1,6 @@
 // Worlds that are saved and restored: they go on to the bit, with every kind of mechanism.
 #include "bench/families.h"
-#include "engine/state.h"
+#include "engine/kept/state.h"
 #include "tests/direct/rigs.h"
 #include "tests/oracle/test.h"
 

@@ -2,8 +2,8 @@
 // and the forces of joints.
 #include "chapters/09_direct/runge_kutta.h"
 #include "engine/instruments/measure.h"
-#include "engine/reaction.h"
-#include "engine/state.h"
+#include "engine/kept/reaction.h"
+#include "engine/kept/state.h"
 #include "tests/direct/rigs.h"
 #include "tests/oracle/test.h"
 

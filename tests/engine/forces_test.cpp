@@ -4,9 +4,10 @@
 
 #include "chapters/09_direct/runge_kutta.h"
 #include "engine/instruments/measure.h"
-#include "engine/reaction.h"
+#include "engine/kept/reaction.h"
 #include "engine/simd/packed.h"
-#include "engine/state.h"
+#include "engine/kept/state.h"
+#include "engine/steps/leapfrog.h"
 #include "tests/oracle/test.h"
 
 namespace {
@@ -144,7 +145,7 @@ TEST_CASE("a warm chain at rest stays at rest with one iteration in steps of any
       step(world, solver, length, how);
       CHECK(double(reaction(*world.joints()[0], world.bodies).force.y) ==
             Approx(15 * 9.81).epsilon(tolerance(1e-9, 2e-3)));
-      const Bodies now = synchronised(world, solver, how);
+      const Bodies now = synchronised(world, solver, how.warm_start);
       for (const Body& body : all_of(leapfrog ? now : world.bodies))
         CHECK(double(glm::length(body.v)) < tolerance(1e-9, 1e-3));
     }
@@ -160,7 +161,7 @@ TEST_CASE("a motor and a spring pull for half a step in synchronised velocities"
       solver.iterations = 300;
       const auto middles = [&](World& world, auto speed) {  // of a step, and between two
         step(world, solver, h / 4, how);
-        const real before = speed(world.bodies), now = speed(synchronised(world, solver, how));
+        const real before = speed(world.bodies), now = speed(synchronised(world, solver, how.warm_start));
         step(world, solver, h / 4, how);
         return std::pair{double(before + speed(world.bodies)) / 2, double(now)};
       };
@@ -213,7 +214,7 @@ TEST_CASE("synchronised velocities have the energy to second order and leave the
       for (int n = 0; n < rate; ++n) {
         step(world, solver, real(1) / real(rate), how);
         const State then = save(world);
-        const Bodies now = synchronised(world, other, how);
+        const Bodies now = synchronised(world, other, how.warm_start);
         REQUIRE(save(world) == then);
         worst = std::max(worst, std::abs(energy(all_of(at_poses ? now : world.bodies),
                                                 world.gravity) - before));

@@ -1,6 +1,6 @@
 // Joints that the engine has never heard of, and its calls to a joint: in which order, how often
 // and which of their answers may change between two steps.
-#include "engine/state.h"
+#include "engine/kept/state.h"
 #include "tests/checker/fixtures.h"
 #include "tests/oracle/test.h"
 

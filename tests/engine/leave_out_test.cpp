@@ -69,7 +69,7 @@ TEST_CASE("once all its blocks have been live a world takes no memory in a step"
         Stepping stepping;
         solver.iterations = 3;
         stepping.warm_start = warm;
-        solver.row_by_row = row_by_row;
+        stepping.row_by_row = row_by_row;
         solver.order = order;
         for (int n = 0; n < 3; ++n) step(net.world, solver, h, stepping);  // late rows in the third
         for (int n = 0; n < 20; ++n)

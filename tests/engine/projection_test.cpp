@@ -1,5 +1,5 @@
 // Position projection: what it holds, what it leaves alone, and that it costs nothing when off.
-#include "engine/projection.h"
+#include "engine/steps/projection.h"
 #include "tests/oracle/test.h"
 
 namespace {

@@ -80,7 +80,7 @@ void compare_iteration_by_iteration(OrderedImpulses& solver, World& world, Order
   const std::vector<Body> forced = after_forces(world);
   begin_step(world, solver, h, stepping);
   GaussSeidel reference(world, world.blocks, forced);
-  if (solver.row_by_row) reference.one_block_a_row();
+  if (stepping.row_by_row) reference.one_block_a_row();
   reference.lambda = impulses(world.blocks);
   for (int k = 0; k < 12; ++k) {
     solver.iterate_in_order(world.bodies, k);
@@ -117,8 +117,7 @@ TEST_CASE("I16 Sequential Impulses is block Gauss-Seidel iteration by iteration"
     for (Order order : {Order::forward, Order::backward, Order::alternating}) {
       World world = bent_chain();
       OrderedImpulses solver;
-      solver.row_by_row = row_by_row;
-      compare_iteration_by_iteration(solver, world, order);
+      compare_iteration_by_iteration(solver, world, order, {.row_by_row = row_by_row});
     }
 }
 
@@ -127,7 +126,7 @@ TEST_CASE("I16 a warm start is Gauss-Seidel that begins with the last impulses")
     World world = bent_chain();
     OrderedImpulses solver;
     Stepping stepping;
-    solver.row_by_row = row_by_row;
+    stepping.row_by_row = row_by_row;
     stepping.warm_start = true;
     step(world, solver, h, stepping);
     const Column last = impulses(world.blocks);

@@ -10,7 +10,7 @@ const real h = real(1) / 60;
 }  // namespace
 
 TEST_CASE("a static body that carries others along keeps its velocity and its place") {
-  for (SequentialImpulses solver : {relaxing(), splitting()}) {
+  for (TwoPassImpulses solver : {relaxing(), splitting()}) {
     Track track({0, real(1.1)}, {1});
     track.join(0, 1, 1);
     track.v(0) = real(0.6);  // a conveyor belt
@@ -23,7 +23,7 @@ TEST_CASE("a static body that carries others along keeps its velocity and its pl
 }
 
 TEST_CASE("a body that no joint holds moves by its own velocities, up to the speed clamp") {
-  for (SequentialImpulses solver : {feeding_back(), relaxing(), splitting()}) {
+  for (TwoPassImpulses solver : {feeding_back(), relaxing(), splitting()}) {
     Track track({0, 1, 2}, {1, 1});
     track.v(1) = real(0.6);
     track.v(2) = track.world.bodies[track.ids[2]].w.z = real(2e9);
@@ -39,7 +39,7 @@ TEST_CASE("a body that no joint holds moves by its own velocities, up to the spe
 }
 
 TEST_CASE("a step with relax iterations or split impulses does not allocate after the first") {
-  for (SequentialImpulses solver : {relaxing(), splitting()}) {
+  for (TwoPassImpulses solver : {relaxing(), splitting()}) {
     Track track({0, real(1.1), real(2.4)}, {2, 5});
     track.join(1, 2, 1);
     step(track.world, solver, h);
@@ -51,7 +51,7 @@ TEST_CASE("the end of a step may be taken twice, and asks for the same correctio
   for (const real frequency : {real(0), real(10)}) {
     Track track({0, real(1.1)}, {1});
     track.join(0, 1, 1);
-    SequentialImpulses solver = splitting();
+    TwoPassImpulses solver = splitting();
     begin_step(track.world, solver, h, {.frequency = frequency});
     end_step(track.world, solver, h);
     const double moved = 1.1 - track.x(1);
@@ -64,7 +64,7 @@ TEST_CASE("the end of a step may be taken twice, and asks for the same correctio
 TEST_CASE("a negative count is refused, and so are relax iterations beside split impulses") {
   World world;
   const auto refused = [&](int relax, int split) {
-    SequentialImpulses solver;
+    TwoPassImpulses solver;
     solver.relax_iterations = relax;
     solver.split_iterations = split;
     return refusal([&] { step(world, solver, h); }).substr(0, 17);

@@ -18,7 +18,7 @@ TEST_CASE("a rope pulled in by relaxing or splitting leaves its ball at rest") {
     Track track({0, real(-1.1)}, {1});  // body 2 is 1.1 m before body 1, at most 1 m is allowed
     Along& rope = track.join(0, 1, -1, true);
     rope.beta = real(0.15);
-    SequentialImpulses own = solver;
+    TwoPassImpulses own = solver;
     step(track.world, own, h);
     CHECK(track.x(1) == Approx(-1.085).epsilon(tolerance(1e-12, 1e-6)));
     CHECK(double(track.v(1)) == Approx(left).margin(tolerance(1e-13, 1e-5)));
@@ -28,7 +28,7 @@ TEST_CASE("a rope pulled in by relaxing or splitting leaves its ball at rest") {
 }
 
 TEST_CASE("what leaves a violated limit by itself is not pushed, and goes on as it came") {
-  for (SequentialImpulses solver : {relaxing(), splitting()}) {
+  for (TwoPassImpulses solver : {relaxing(), splitting()}) {
     Track track({0, real(0.99)}, {1});
     Along& limit = track.join(0, 1, 1, true);
     track.v(1) = real(0.3);  // beta asks for 0.12 m/s
@@ -40,7 +40,7 @@ TEST_CASE("what leaves a violated limit by itself is not pushed, and goes on as 
 }
 
 TEST_CASE("what runs into a limit lands on it and is stopped there") {
-  for (SequentialImpulses solver : {relaxing(), splitting()}) {
+  for (TwoPassImpulses solver : {relaxing(), splitting()}) {
     Track track({0, real(1.01)}, {2});
     track.join(0, 1, 1, true);
     track.v(1) = -3;  // 5 cm a step, and 1 cm to go
@@ -58,7 +58,7 @@ TEST_CASE("a split correction stops at a limit that lies ahead, together with th
     track.join(1, 2, real(0.9)).beta = 1;  // moves the two apart, by 0.1 m
     Along& limit = track.join(0, 1, 1, true);
     track.v(1) = track.v(2) = speed;
-    SequentialImpulses solver = splitting(300, 300);
+    TwoPassImpulses solver = splitting(300, 300);
     step(track.world, solver, h);
     CHECK(track.x(1) == Approx(1).epsilon(tolerance(1e-9, 1e-6)));
     CHECK(track.x(2) == Approx(1.9).epsilon(tolerance(1e-9, 1e-6)));
@@ -74,7 +74,7 @@ TEST_CASE("a target rate beside a position is a velocity, and the correction is 
     Along& joint = track.join(0, 1, 1);
     joint.rate = real(0.3);
     joint.beta = real(0.5);
-    SequentialImpulses solver = split ? splitting() : relaxing();
+    TwoPassImpulses solver = split ? splitting() : relaxing();
     step(track.world, solver, h);
     CHECK(double(track.v(1)) == Approx(0.3).epsilon(tolerance(1e-12, 1e-5)));
     CHECK(track.x(1) == Approx(1.05 + 0.3 / 60).epsilon(tolerance(1e-12, 1e-6)));
@@ -90,10 +90,9 @@ TEST_CASE("row by row, a block's target rate is that of its last row alone") {
   joint.J[1] = {vec3(0, -1, 0), vec3(0), vec3(0, 1, 0), vec3(0)};
   joint.C = {real(0.1), real(0.2)};
   joint.target = {.beta = real(0.5), .rate = real(0.3)};
-  for (SequentialImpulses solver : {relaxing(), splitting()}) {
-    solver.row_by_row = true;
+  for (TwoPassImpulses solver : {relaxing(), splitting()}) {
     world.bodies[id].x = world.bodies[id].v = vec3(0);
-    step(world, solver, h);
+    step(world, solver, h, {.row_by_row = true});
     CHECK(double(length(world.bodies[id].v - vec3(0, real(0.3), 0))) < tolerance(1e-13, 1e-6));
     CHECK(double(length(world.bodies[id].x - vec3(real(-0.05), real(-0.095), 0))) <
           tolerance(1e-13, 1e-6));
@@ -101,7 +100,7 @@ TEST_CASE("row by row, a block's target rate is that of its last row alone") {
 }
 
 TEST_CASE("a motor gives no more than its strength over both solves of a step") {
-  for (SequentialImpulses solver : {relaxing(5), splitting(5)}) {
+  for (TwoPassImpulses solver : {relaxing(5), splitting(5)}) {
     Rotor rotor;
     rotor.solver = solver;
     rotor.hinge->set_motor(100, 2);
@@ -122,7 +121,7 @@ TEST_CASE("a split correction does not fight a brake") {
   auto& slider = world.add<SliderJoint>(track.ids[0], track.ids[1],
                                         vec3(real(1.1), 0, 0), vec3(1, 0, 0));
   slider.set_motor(0, 1000);  // it is solved after the joint
-  SequentialImpulses solver = splitting();
+  TwoPassImpulses solver = splitting();
   step(world, solver, h);
   CHECK(track.x(1) == Approx(1.08).epsilon(tolerance(1e-12, 1e-6)));
   CHECK(slider.motor_force() == 0);
@@ -130,7 +129,7 @@ TEST_CASE("a split correction does not fight a brake") {
 }
 
 TEST_CASE("a motor that presses against a violated limit feels its own torque and no more") {
-  for (SequentialImpulses solver : {relaxing(200, 200), splitting(200, 200)}) {
+  for (TwoPassImpulses solver : {relaxing(200, 200), splitting(200, 200)}) {
     for (const bool whole : {true, false}) {
       Rotor rotor(1);
       rotor.solver = solver;
@@ -151,7 +150,7 @@ TEST_CASE("a motor that presses against a violated limit feels its own torque an
 }
 
 TEST_CASE("a limit that is found late is kept by both") {
-  for (SequentialImpulses solver : {relaxing(50, 50), splitting(50, 50)}) {
+  for (TwoPassImpulses solver : {relaxing(50, 50), splitting(50, 50)}) {
     Track track({0, real(1.5)}, {1});
     World& world = track.world;
     const BodyId hammer = world.add(ball(1, real(0.1), vec3(2, 1, 0)));
@@ -167,7 +166,7 @@ TEST_CASE("a limit that is found late is kept by both") {
 }
 
 TEST_CASE("a box that lies too deep comes up by beta a step and does not hop") {
-  for (SequentialImpulses solver : {relaxing(30, 30), splitting(30, 30)}) {
+  for (TwoPassImpulses solver : {relaxing(30, 30), splitting(30, 30)}) {
     World world;
     const BodyId ground = world.add(static_body(vec3(0)));
     const BodyId id = world.add(box(2, vec3(1), vec3(0, real(0.49), 0)));
@@ -191,7 +190,7 @@ TEST_CASE("a box that lies too deep comes up by beta a step and does not hop") {
 TEST_CASE("a softened joint keeps the same fraction of its error every step, and no velocity") {
   // from rest an implicit spring loses the part (h omega)^2 / (1 + 2 zeta h omega + (h omega)^2)
   for (const auto& [frequency, damping] : {std::pair{10.0, 1.0}, {10.0, 10.0}, {60.0, 5.0}})
-    for (SequentialImpulses solver : {relaxing(), splitting(3)}) {
+    for (TwoPassImpulses solver : {relaxing(), splitting(3)}) {
       Track track({0, real(1.2)}, {4});
       track.join(0, 1, 1);
       const double a = 2 * std::numbers::pi * frequency / 60;
@@ -211,7 +210,7 @@ TEST_CASE("a heavily damped joint halves its error in 2 zeta ln 2 / omega, whate
   for (const real substeps : {real(1), real(4)}) {
     Track track({0, real(1.1)}, {4});
     track.join(0, 1, 1);
-    SequentialImpulses solver = relaxing();
+    TwoPassImpulses solver = relaxing();
     const real half_time = real(2 * damping * std::log(2) / omega);  // 0.147 s
     for (int n = 0; n < int(9 * substeps); ++n)
       step(track.world, solver, half_time / (9 * substeps),
@@ -226,7 +225,7 @@ TEST_CASE("relaxed, a softened joint sags as far as its spring and pulls with th
     const BodyId hook = world.add(static_body(vec3(0)));
     const BodyId id = world.add(ball(3, real(0.1), vec3(0)));
     auto& joint = world.add<BallJoint>(hook, id, Point{vec3(0), vec3(0)});
-    SequentialImpulses solver = relaxing(2);
+    TwoPassImpulses solver = relaxing(2);
     for (int n = 0; n < 200; ++n)
       step(world, solver, h, {.warm_start = warm, .frequency = 10, .damping = 2});
     const double omega = 20 * std::numbers::pi;
@@ -247,7 +246,7 @@ TEST_CASE("a limit that is found late is as soft as one whose row is there from 
     else track.join(0, 1, real(1.49), true);
     world.add<Along>(track.ids[1], hammer, real(0.5));
     world.bodies[hammer].v.x = -4;
-    SequentialImpulses solver = feeding_back(500);
+    TwoPassImpulses solver = feeding_back(500);
     step(world, solver, h, {.frequency = frequency});
     return track.x(1);
   };
@@ -259,7 +258,7 @@ TEST_CASE("a limit that is found late is as soft as one whose row is there from 
 }
 
 TEST_CASE("a spring of the joint's own swings on as a spring with both") {
-  const auto swing = [](SequentialImpulses solver) {
+  const auto swing = [](TwoPassImpulses solver) {
     Track track({0, real(1.3), real(2.4)}, {2, 3});
     Along& spring = track.join(0, 1, 1);
     spring.frequency = 2;
@@ -271,13 +270,13 @@ TEST_CASE("a spring of the joint's own swings on as a spring with both") {
   };
   const auto [x, v] = swing(feeding_back(100));
   CHECK(std::abs(v) > 0.1);
-  for (const SequentialImpulses& solver : {relaxing(100, 100), splitting(100, 100)}) {
+  for (const TwoPassImpulses& solver : {relaxing(100, 100), splitting(100, 100)}) {
     const auto [x_now, v_now] = swing(solver);
     CHECK(std::abs(x_now - x) < 0.02);  // the joint behind it comes back in another way
     CHECK(std::abs(v_now - v) < 0.1);
   }
   Track alone({0, real(1.3)}, {2}), split({0, real(1.3)}, {2}), relaxed({0, real(1.3)}, {2});
-  SequentialImpulses plain = feeding_back(), splits = splitting(), relaxes = relaxing();
+  TwoPassImpulses plain = feeding_back(), splits = splitting(), relaxes = relaxing();
   for (Track* track : {&alone, &split, &relaxed}) track->join(0, 1, 1).frequency = 2;
   for (int n = 0; n < 30; ++n) {
     step(alone.world, plain, h);

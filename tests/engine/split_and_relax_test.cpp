@@ -1,7 +1,7 @@
 // Two ways to correct positions whose velocities are taken back: relax iterations after the bodies
 // have moved, and a split impulse.
 #include "chapters/09_direct/direct_solver.h"
-#include "engine/reaction.h"
+#include "engine/kept/reaction.h"
 #include "tests/oracle/test.h"
 #include "tests/oracle/track.h"
 
@@ -80,7 +80,7 @@ struct Torn {
 // ---- one joint ----------------------------------------------------------------------------------
 
 TEST_CASE("a joint solved exactly closes by beta a step and leaves no velocity and no impulse") {
-  for (SequentialImpulses solver : {relaxing(), splitting(), relaxing(3), splitting(4)}) {
+  for (TwoPassImpulses solver : {relaxing(), splitting(), relaxing(3), splitting(4)}) {
     const bool split = solver.split_iterations > 0;
     CAPTURE(split);
     Track track({0, real(1.1), real(2.4)}, {2, 5});  // the pair 1.3 m apart, 1 m wanted
@@ -99,13 +99,13 @@ TEST_CASE("a joint solved exactly closes by beta a step and leaves no velocity a
   }
   Track track({0, real(1.1), real(2.4)}, {2, 5});  // fed back it parts with a velocity
   track.join(1, 2, 1);
-  SequentialImpulses solver = feeding_back();
+  TwoPassImpulses solver = feeding_back();
   step(track.world, solver, h);
   CHECK(double(track.v(2) - track.v(1)) == Approx(-0.2 * 0.3 * 60));
 }
 
 TEST_CASE("a weld that is off by an angle turns back by beta and does not go on turning") {
-  for (SequentialImpulses solver : {relaxing(), splitting()}) {
+  for (TwoPassImpulses solver : {relaxing(), splitting()}) {
     World world = weightless();
     const BodyId wall = world.add(static_body(vec3(0)));
     const BodyId id = world.add(body_with(2, vec3(real(0.5)), vec3(0)));
@@ -122,7 +122,7 @@ TEST_CASE("a weld that is off by an angle turns back by beta and does not go on 
 TEST_CASE("a split impulse never raises the energy of a pair that it pulls together") {
   for (const real speed : {real(0), real(2)}) {
     Apart split(speed), fed(speed);
-    SequentialImpulses solver = splitting(), other = feeding_back();
+    TwoPassImpulses solver = splitting(), other = feeding_back();
     double before = kinetic_energy(split.world.bodies), first = 0, most = 0;
     const double gap = split.gap();
     for (int n = 0; n < 60; ++n) {
@@ -142,7 +142,7 @@ TEST_CASE("a split impulse never raises the energy of a pair that it pulls toget
 
 TEST_CASE("a joint that pulled off its lever is left without the spin that feedback leaves") {
   // chapter 6, Eq. 6-7: a gap at a slant to the lever leaves a spin about the free axis
-  const auto spin = [](SequentialImpulses solver) {
+  const auto spin = [](TwoPassImpulses solver) {
     World world = weightless();
     const BodyId wall = world.add(static_body(vec3(0)));
     const BodyId cube = world.add(box(100, vec3(1), vec3(2, 0, 0)));
@@ -162,7 +162,7 @@ TEST_CASE("after the relax iterations J V is zero as well as their number can ma
   // with the same J, an iteration of block Gauss-Seidel leaves rho of the error in the long run
   const auto left = [](int relax_iterations) {
     Torn torn(6);
-    SequentialImpulses solver = relaxing(relax_iterations, 200);
+    TwoPassImpulses solver = relaxing(relax_iterations, 200);
     step(torn.world, solver, h);
     return largest_rate(torn.world);
   };
@@ -182,7 +182,7 @@ TEST_CASE("an iteration leaves the first of two joints in a row m2 / (m1 + m2) o
     Track track({0, real(1.2), real(2.2)}, {1, 3});  // the first one is 0.2 m too long
     track.join(0, 1, 1);
     track.join(1, 2, 1);
-    SequentialImpulses solver = relaxing(iterations, 500);
+    TwoPassImpulses solver = relaxing(iterations, 500);
     step(track.world, solver, h);
     CHECK(double(track.v(1)) == Approx(-0.2 * 0.2 * 60 * std::pow(0.75, iterations)));
     CHECK(std::abs(double(track.v(2) - track.v(1))) < tolerance(1e-12, 1e-5));
@@ -197,7 +197,7 @@ TEST_CASE("an iteration leaves the first of two joints in a row m2 / (m1 + m2) o
 
 TEST_CASE("relax iterations come after the bodies have moved and go on with the same impulses") {
   Torn relaxed(6), fed(6);
-  SequentialImpulses solver = relaxing(2000, 300), other = feeding_back(300);
+  TwoPassImpulses solver = relaxing(2000, 300), other = feeding_back(300);
   step(relaxed.world, solver, h);
   step(fed.world, other, h);
   for (int slot = 0; slot < fed.world.bodies.slots(); ++slot) {  // moved alike, and so further
@@ -206,7 +206,7 @@ TEST_CASE("relax iterations come after the bodies have moved and go on with the 
   }
   // the sums are those of a step without any feedback: the pushes of the bias are taken back
   Torn plain(6, 0);
-  SequentialImpulses without = feeding_back(2000);
+  TwoPassImpulses without = feeding_back(2000);
   step(plain.world, without, h);
   for (std::size_t k = 0; k < plain.joints.size(); ++k)
     for (std::size_t i = 0; i < 3; ++i)
@@ -218,7 +218,7 @@ TEST_CASE("relax iterations come after the bodies have moved and go on with the 
 
 TEST_CASE("a split impulse changes no velocity and no impulse of a step without feedback") {
   Torn split(6, real(0.2), vec3(0, real(-9.81), 0)), plain(6, 0, vec3(0, real(-9.81), 0));
-  SequentialImpulses solver = splitting(7, 4), other = feeding_back(4);
+  TwoPassImpulses solver = splitting(7, 4), other = feeding_back(4);
   step(split.world, solver, h, {.warm_start = true});
   step(plain.world, other, h, {.warm_start = true});
   CHECK(velocities(snapshot(split.world.bodies)) == velocities(snapshot(plain.world.bodies)));
@@ -226,18 +226,18 @@ TEST_CASE("a split impulse changes no velocity and no impulse of a step without 
     CHECK(split.joints[k]->impulse() == plain.joints[k]->impulse());
   CHECK(split.gap() < plain.gap());
   Torn fewer(6, real(0.2), vec3(0, real(-9.81), 0));  // the count is that of the split impulse
-  SequentialImpulses one = splitting(1, 4);
+  TwoPassImpulses one = splitting(1, 4);
   step(fewer.world, one, h, {.warm_start = true});
   CHECK(split.gap() < fewer.gap());
 }
 
 TEST_CASE("row by row both come to the same places and velocities as block by block") {
-  for (const SequentialImpulses& kind : {relaxing(3000, 3000), splitting(3000, 3000)}) {
+  for (const TwoPassImpulses& kind : {relaxing(3000, 3000), splitting(3000, 3000)}) {
     Torn blocks(4), rows(4);
-    SequentialImpulses solver = kind, by_rows = kind;
-    by_rows.row_by_row = true;
-    for (const Stepping& how : {Stepping{}, Stepping{.frequency = 5}}) {
+    TwoPassImpulses solver = kind, by_rows = kind;
+    for (Stepping how : {Stepping{}, Stepping{.frequency = 5}}) {
       step(blocks.world, solver, h, how);
+      how.row_by_row = true;
       step(rows.world, by_rows, h, how);
       CHECK(difference(velocities(snapshot(rows.world.bodies)),
                        velocities(snapshot(blocks.world.bodies))) < tolerance(1e-9, 2e-3));
@@ -250,9 +250,9 @@ TEST_CASE("row by row both come to the same places and velocities as block by bl
 }
 
 TEST_CASE("over-relaxed iterations settle both where plain ones do") {
-  for (const SequentialImpulses& kind : {relaxing(2000, 2000), splitting(2000, 2000)}) {
+  for (const TwoPassImpulses& kind : {relaxing(2000, 2000), splitting(2000, 2000)}) {
     Torn plain(4), over(4);
-    SequentialImpulses solver = kind, other = kind;
+    TwoPassImpulses solver = kind, other = kind;
     other.relaxation = real(1.4);
     for (const Stepping& how : {Stepping{}, Stepping{.frequency = 5}}) {
       step(plain.world, solver, h, how);
@@ -267,7 +267,7 @@ TEST_CASE("over-relaxed iterations settle both where plain ones do") {
 }
 
 TEST_CASE("where a direct solver has to iterate, a split impulse or relax iterations correct") {
-  for (const SequentialImpulses& kind : {relaxing(), splitting()}) {
+  for (const TwoPassImpulses& kind : {relaxing(), splitting()}) {
     Track track({0, real(1.1)}, {1});
     track.join(0, 1, 1);
     DirectSolver solver;
@@ -309,7 +309,7 @@ struct Hung {
 }  // namespace
 
 TEST_CASE("a warm start begins with the weights and not with the correction") {
-  for (SequentialImpulses solver : {splitting(4, 4), relaxing(4, 4)}) {
+  for (TwoPassImpulses solver : {splitting(4, 4), relaxing(4, 4)}) {
     CAPTURE(solver.split_iterations);
     Hung hung;
     for (int n = 0; n < 900; ++n) step(hung.world, solver, h, {.warm_start = true});
@@ -329,7 +329,7 @@ TEST_CASE("what a weld bears is its load, however far it has been pulled off") {
     const BodyId id = world.add(box(3, vec3(1), vec3(0, -1, 0)));
     auto& weld = world.add<FixedJoint>(wall, id, vec3(0));
     world.bodies[id].x.y -= real(0.05);
-    SequentialImpulses solver = split ? splitting() : relaxing();
+    TwoPassImpulses solver = split ? splitting() : relaxing();
     step(world, solver, h);
     const Reaction load = reaction(weld, world.bodies);
     CHECK(double(load.force.y) == Approx(3 * 9.81).epsilon(tolerance(1e-12, 1e-5)));

@@ -2,8 +2,8 @@
 // nothing had been: to the bit, with everything a joint may keep.
 #include "chapters/08_ground/ground_contact.h"
 #include "chapters/09_direct/direct_solver.h"
-#include "engine/reaction.h"
-#include "engine/state.h"
+#include "engine/kept/reaction.h"
+#include "engine/kept/state.h"
 #include "tests/oracle/packings.h"
 #include "tests/oracle/test.h"
 
@@ -142,11 +142,11 @@ const Stepping all{.warm_start = true, .substeps = 2, .projections = 2};
 
 TEST_CASE("a restored world goes on to the bit with Sequential Impulses however it steps") {
   for (const bool row_by_row : {false, true})
-    for (const Stepping& how : {warm, all, Stepping{.leapfrog = true},
-                                Stepping{.warm_start = true, .frequency = 8}}) {
+    for (Stepping how : {warm, all, Stepping{.leapfrog = true},
+                         Stepping{.warm_start = true, .frequency = 8}}) {
       CAPTURE(row_by_row, how.substeps, how.leapfrog, double(how.frequency));
       SequentialImpulses solver;
-      solver.row_by_row = row_by_row;
+      how.row_by_row = row_by_row;
       goes_on_the_same(few(solver), how);
     }
 }

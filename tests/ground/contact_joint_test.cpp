@@ -2,8 +2,8 @@
 // the effects of projection, reaction, plan and removal.
 #include "checker/numeric.h"
 #include "engine/instruments/plan.h"
-#include "engine/reaction.h"
-#include "engine/state.h"
+#include "engine/kept/reaction.h"
+#include "engine/kept/state.h"
 #include "tests/ground/rigs.h"
 #include "tests/oracle/test.h"
 
@@ -346,7 +346,7 @@ TEST_CASE("a contact solved row by row is the same: its blocks have one row each
   Random random(89);
   Grounded one(lowered(real(0.2), random.turn()), box_outline(brick)), other(one.it(),
                                                                             box_outline(brick));
-  other.solver.row_by_row = true;
+  other.stepping.row_by_row = true;
   for (int n = 0; n < 120; ++n) {
     step(one.world, one.solver, h, one.stepping);
     step(other.world, other.solver, h, other.stepping);

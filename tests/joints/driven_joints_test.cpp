@@ -3,7 +3,7 @@
 #include "chapters/05_fixed/fixed_joint.h"
 #include "chapters/10_own/driven_joints.h"
 #include "checker/check_part.h"
-#include "engine/state.h"
+#include "engine/kept/state.h"
 #include "tests/joints/three_solvers.h"
 #include "tests/oracle/test.h"
 

@@ -270,7 +270,7 @@ TEST_CASE("driven joints take nothing from the heap once all their rows have bee
       Stepping stepping;
       solver.iterations = 5;
       stepping.warm_start = warm;
-      solver.row_by_row = row_by_row;
+      stepping.row_by_row = row_by_row;
       step(machine.world, solver, h, stepping);  // no limit, no motor so far
       int most_live = 0;
       long taken = 0;

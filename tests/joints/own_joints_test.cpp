@@ -6,7 +6,7 @@
 #include "chapters/10_own/rack_joint.h"
 #include "checker/check_part.h"
 #include "engine/instruments/measure.h"
-#include "engine/state.h"
+#include "engine/kept/state.h"
 #include "tests/joints/three_solvers.h"
 #include "tests/oracle/test.h"
 

@@ -1,6 +1,6 @@
 // Position projection with every kind of joint and with awkward scenes: redundant rows, static
 // bodies, points that coincide, joints that were removed, joints that take no part.
-#include "engine/projection.h"
+#include "engine/steps/projection.h"
 #include "tests/checker/joint_fixtures.h"
 #include "tests/oracle/allocations.h"
 #include "tests/oracle/beside.h"

@@ -1,6 +1,6 @@
 // The forces that joints report, against statics: what hangs, what is held out, what a motor or a
 // limit holds.
-#include "engine/reaction.h"
+#include "engine/kept/reaction.h"
 #include "tests/oracle/test.h"
 
 namespace {

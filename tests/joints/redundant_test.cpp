@@ -1,6 +1,6 @@
 // The stability suite, case X14: the same joint twice, closed loops, beams that are held at both
 // ends. More rows than freedoms must not blow up nor change the motion.
-#include "engine/reaction.h"
+#include "engine/kept/reaction.h"
 #include "tests/oracle/test.h"
 
 namespace {

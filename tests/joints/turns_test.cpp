@@ -1,6 +1,6 @@
 // Which turn a hinge is in, where its bodies alone cannot say: the limits say it, or the program
 // does.
-#include "engine/state.h"
+#include "engine/kept/state.h"
 #include "tests/oracle/test.h"
 
 namespace {

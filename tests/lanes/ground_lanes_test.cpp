@@ -160,14 +160,14 @@ TEST_CASE("a row that follows an impulse without a row is refused by every solve
   Random random(87);
   World world = followings(random, 9);
   auto& orphan = static_cast<Following&>(*world.joints()[4]);
-  const auto refused = [&](auto solver) { return refusal([&] { step(world, solver, h); }); };
+  const auto refused = [&](auto solver, const Stepping& how = {}) {
+    return refusal([&] { step(world, solver, h, how); });
+  };
   for (const bool alive : {true, false}) {
     orphan.alive = alive;
-    for (const bool row_by_row : {true, false}) {
-      SequentialImpulses scalar;
-      scalar.row_by_row = row_by_row;
-      CHECK(refused(scalar) == (alive ? "accepted" : words));
-    }
+    for (const bool row_by_row : {true, false})
+      CHECK(refused(SequentialImpulses(), {.row_by_row = row_by_row}) ==
+            (alive ? "accepted" : words));
     for (const Packing packing : packings) {
       PackedImpulses wide;
       wide.packing = packing;

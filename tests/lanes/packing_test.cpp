@@ -1,6 +1,6 @@
 // How the solver packs a step's blocks: every packing has an order of its own and keeps all else,
 // the groups are computed once, and a step then takes no memory from the heap.
-#include "engine/state.h"
+#include "engine/kept/state.h"
 #include "tests/oracle/allocations.h"
 #include "tests/oracle/beside.h"
 #include "tests/oracle/packings.h"

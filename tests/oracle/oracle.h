@@ -3,7 +3,7 @@
 
 #include "checker/numeric.h"
 #include "engine/sequential_impulses.h"
-#include "engine/step.h"
+#include "engine/steps/step.h"
 #include "tests/oracle/dense.h"
 
 namespace joints::testing {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "chapters/03_hinge/hinge_joint.h"
+#include "engine/steps/two_pass_impulses.h"
 #include "tests/oracle/oracle.h"
 
 namespace joints::testing {
@@ -54,7 +55,7 @@ struct Rotor {
   World world;
   BodyId wall, body;
   HingeJoint* hinge;
-  SequentialImpulses solver;
+  TwoPassImpulses solver;
   Stepping stepping{};
 
   explicit Rotor(real lever = 0, real speed = 0) {

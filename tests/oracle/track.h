@@ -2,27 +2,28 @@
 // the solver in its three ways to feed an error back.
 #pragma once
 
+#include "engine/steps/two_pass_impulses.h"
 #include "tests/oracle/oracle.h"
 
 namespace joints::testing {
 
 /// Sequential Impulses with relax iterations. \param first iterations before the bodies move
-inline SequentialImpulses relaxing(int iterations = 1, int first = 10) {
-  SequentialImpulses solver;
+inline TwoPassImpulses relaxing(int iterations = 1, int first = 10) {
+  TwoPassImpulses solver;
   solver.iterations = first;
   solver.relax_iterations = iterations;
   return solver;
 }
 /// With a split impulse.
-inline SequentialImpulses splitting(int iterations = 1, int first = 10) {
-  SequentialImpulses solver;
+inline TwoPassImpulses splitting(int iterations = 1, int first = 10) {
+  TwoPassImpulses solver;
   solver.iterations = first;
   solver.split_iterations = iterations;
   return solver;
 }
 /// With neither.
-inline SequentialImpulses feeding_back(int first = 10) {
-  SequentialImpulses solver;
+inline TwoPassImpulses feeding_back(int first = 10) {
+  TwoPassImpulses solver;
   solver.iterations = first;
   return solver;
 }

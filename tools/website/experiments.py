@@ -24,10 +24,10 @@ CODE = {
     "tilt": (("engine/sequential_impulses.cpp",
               "if (N == 1 && block.target.follows != 0) {"
               "  // bounds are -+upper * impulse[follows]", 5),),
-    "projections": (("engine/step.cpp",
+    "projections": (("engine/steps/step.cpp",
                      "for (int i = 0; i < how.projections; ++i) project_positions(world);", 1),
-                    ("engine/projection.cpp", "for (const auto& joint : world.joints()) {", 4)),
-    "substeps": (("engine/step.cpp", "const real h_sub = h / real(how.substeps);", 5),),
+                    ("engine/steps/projection.cpp", "for (const auto& joint : world.joints()) {", 4)),
+    "substeps": (("engine/steps/step.cpp", "const real h_sub = h / real(how.substeps);", 5),),
     "direct": (("chapters/09_direct/active_set.cpp", "if (!factored) {", 6),),
     "newton": (("chapters/09_direct/positions.cpp", "move_onto_constraints(bodies_, "
                 "double(h_), newton, 0, *this, own_.start);", 1),)}

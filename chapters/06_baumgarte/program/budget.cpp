@@ -2,6 +2,7 @@
 // it; there is nothing to edit here.
 #include "chapters/06_baumgarte/program/cube_chain.h"
 #include "chapters/06_baumgarte/program/program.h"
+#include "engine/steps/two_pass_impulses.h"
 
 namespace joints::chapter6 {
 
@@ -42,7 +43,7 @@ void measure(const std::string& path, int links, real end, double seconds) {
         chain.scene.energy_scale += double(100 * (end - 1)) * 9.81 * links;
         chain.scene.h = h / real(substeps);
         Stepping& stepping = chain.scene.stepping;
-        SequentialImpulses& solver = chain.scene.solver;
+        TwoPassImpulses solver;
         stepping.warm_start = warm;
         stepping.frequency = method.frequency;
         stepping.damping = 2;  // the numbers of Box2D 3
@@ -51,6 +52,7 @@ void measure(const std::string& path, int links, real end, double seconds) {
         if (method.second == Second::split) solver.split_iterations = second;
         if (method.second == Second::relax) solver.relax_iterations = second;
         Experiment experiment = experiment_of(chain.scene, steps_in(seconds, chain.scene.h));
+        experiment.step = [&] { step(chain.scene.world, solver, chain.scene.h, stepping); };
         experiment.settling = last_two_thirds(experiment.steps);
         const Measures line = run(experiment);
         table.row({method.name + (warm ? " warm" : "")},

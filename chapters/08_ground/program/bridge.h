@@ -3,7 +3,7 @@
 
 #include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/08_ground/program/program.h"
-#include "engine/reaction.h"
+#include "engine/kept/reaction.h"
 
 namespace joints::chapter8 {
 

@@ -1,5 +1,5 @@
 // One block at a time: lambda = K^-1 (-C), and the bodies are moved by M^-1 J^T lambda.
-#include "engine/projection.h"
+#include "engine/steps/projection.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // Saves and restores the numbers of a world.
-#include "engine/state.h"
+#include "engine/kept/state.h"
 
 #include <stdexcept>
 #include <string>

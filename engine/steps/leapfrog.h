@@ -1,0 +1,30 @@
+// Second order in time: velocities belong to the middle of a step.
+#pragma once
+
+#include "engine/step.h"
+
+/// \addtogroup world
+/// @{
+namespace joints {
+
+/// Leapfrog (Eq. 9-9). Forces act for the mean of the lengths of the last step and this one, so for
+/// h/2 in the first step. Half of the gyroscopic torque acts before the bodies move, and half
+/// after. The speed of a motor is set before the first of these halves, so between elongated bodies
+/// it deviates by the effect of that half.
+class Leapfrog : public StepMethod {
+ public:
+  real integrate_forces(World& world, real h) const override;
+  void move(World& world, Solver& solver, real h) const override;
+};
+
+/// The bodies with velocities at the same time as their poses. After a step with leapfrog the
+/// velocities in the world belong to the middle of that step, so energies and speeds computed from
+/// them lag by half a step. This function lets forces and joints act for the other half, without
+/// feedback. The world is not changed, except that World::blocks are empty afterwards. Source:
+/// Andersen, "Rattle", 1983.
+/// \param solver a separate solver, which is not used for the steps
+/// \param warm_start whether the steps start from the impulses of the last one
+Bodies synchronised(World& world, Solver& solver, bool warm_start);
+
+}  // namespace joints
+/// @}

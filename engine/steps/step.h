@@ -1,0 +1,40 @@
+// A step with options: warm starting, substeps, position projection, second order in time, soft
+// rows, rows one by one. Each of them is explained where it is built, in a file of this folder.
+#pragma once
+
+#include "engine/step.h"
+
+/// \addtogroup world
+/// @{
+namespace joints {
+
+/// Settings of a step. An aggregate: set only the members that you need, as in
+/// `step(world, solver, h, {.warm_start = true})`.
+struct Stepping {
+  bool warm_start = false;  ///< start from the impulses of the last step
+  int substeps = 1;         ///< number of substeps of equal length in a step (chapter 6)
+  int projections = 0;      ///< calls of project_positions() after each substep (chapter 6)
+  bool leapfrog = false;    ///< second order in time (leapfrog.h, Eq. 9-9)
+  real frequency = 0;       ///< above 0: hard rows become springs of it [Hz] (soft.h)
+  real damping = 1;         ///< damping ratio of these springs [1]
+  bool row_by_row = false;  ///< solve each row as a block of its own (rows.h, chapter 2)
+};
+/// Validates them, for a world and a step. \param h length of a substep [s]
+/// \throws std::invalid_argument as step()
+void check_input(const World& world, const Solver& solver, real h, const Stepping& how);
+
+/// Advances a world by one step of `how.substeps` substeps. Input is validated once.
+/// \param h step [s] \throws std::invalid_argument, std::overflow_error as step() of engine/step.h
+void step(World& world, Solver& solver, real h, const Stepping& how);
+
+// The first and the last part of a step, for measurements between the iterations: call solve() or
+// iterate() between them. They perform no substeps and add no late limits.
+
+/// Validates all input, integrates the forces, collects the joints' blocks, prepares them and
+/// performs the warm or cold start. \throws std::invalid_argument as step()
+void begin_step(World& world, Solver& solver, real h, const Stepping& how = {});
+/// Moves the bodies and projects the positions. \throws std::overflow_error as step()
+void end_step(World& world, Solver& solver, real h, const Stepping& how = {});
+
+}  // namespace joints
+/// @}

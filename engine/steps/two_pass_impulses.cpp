@@ -1,0 +1,88 @@
+// The iterations at the end of a step.
+#include "engine/steps/two_pass_impulses.h"
+
+namespace joints {
+
+void TwoPassImpulses::check() const {
+  IterativeSolver::check();
+  require(relax_iterations >= 0, "relax_iterations: must not be negative");
+  require(split_iterations >= 0, "split_iterations: must not be negative");
+  require(relax_iterations == 0 || split_iterations == 0,
+          "relax_iterations: a split impulse leaves nothing to relax; one of the two must be 0");
+}
+
+void TwoPassImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) {
+  SequentialImpulses::prepare(bodies, blocks, first, h);
+  if (split_iterations == 0) return;
+  for (std::size_t k = std::size_t(first); k < prepared_.blocks.size(); ++k)
+    if (PreparedBlock& block = prepared_.blocks[k]; block.corrects)
+      retarget(block, blocks, without_feedback(block.target), h);
+}
+
+void TwoPassImpulses::advance(Bodies& bodies, real h, const Append& append) {
+  if (split_iterations > 0) return advance_split(bodies, h);
+  SequentialImpulses::advance(bodies, h, append);
+  if (relax_iterations > 0) relax(bodies, h);
+}
+
+// Gives a block the scales and biases of another target with the same bounds.
+void TwoPassImpulses::retarget(PreparedBlock& block, const Blocks& blocks,
+                                  const RowTarget& target, real h) {
+  const StepTarget now = step_target(target, h, blocks.acts(h), relaxation);
+  const real scale = now.mass_scale / block.step.mass_scale;
+  for (int i = 0; i < block.rows * block.rows; ++i)
+    prepared_.inverse_K[std::size_t(block.first_K + i)] *= scale;
+  block.step.mass_scale = now.mass_scale;
+  block.step.impulse_scale = now.impulse_scale;
+  for (int i = 0; i < block.rows; ++i) {
+    const std::size_t row = std::size_t(block.first + i);
+    prepared_.rows[row].bias = bias(block, i, blocks.C[row], now.rate, h);
+  }
+}
+
+void TwoPassImpulses::relax(Bodies& bodies, real h) {
+  const Blocks& blocks = blocks_of(bodies);
+  for (PreparedBlock& block : prepared_.blocks)
+    if (block.corrects) retarget(block, blocks, without_feedback(block.target), h);
+  for (int i = 0; i < relax_iterations; ++i) iterate(bodies);  // Eq. 6-15
+}
+
+void TwoPassImpulses::advance_split(Bodies& bodies, real h) {
+  const Blocks& blocks = blocks_of(bodies);
+  split_impulses_.assign(blocks.C.size(), real(0));
+  split_blocks_.clear();
+  for (PreparedBlock& block : prepared_.blocks) {
+    if (!block.corrects) continue;
+    retarget(block, blocks, block.target, h);
+    split_blocks_.push_back(block);
+    split_blocks_.back().impulse = &split_impulses_[std::size_t(block.first)];
+    // a limit uses the sum of both velocities, an equality only the correcting one
+    const std::size_t last = std::size_t(block.first + block.rows - 1);
+    prepared_.rows[last].bias +=
+        block.target.one_sided()
+            ? row_velocity(blocks.J[last], bodies.at(block.body1), bodies.at(block.body2))
+            : block.target.rate;
+  }
+
+  const auto for_bodies = [&](const auto& f) {
+    for (int slot = 0; slot < bodies.slots(); ++slot) f(bodies.at(slot), velocities_[slot]);
+  };
+  velocities_.resize(std::size_t(bodies.slots()));
+  for_bodies([](Body& body, auto& kept) {
+    if (!body.is_static()) clamp_speed(body);
+    kept = {body.v, body.w};
+    body.v = body.w = vec3(0);
+  });
+  prepared_.blocks.swap(split_blocks_);
+  for (int i = 0; i < split_iterations; ++i) iterate(bodies);  // Eq. 6-13
+  prepared_.blocks.swap(split_blocks_);
+  for_bodies([h](Body& body, const auto& kept) {
+    body.v += kept.first;
+    body.w += kept.second;
+    integrate_pose(body, h);  // Eq. 6-14
+    body.v = kept.first;
+    body.w = kept.second;
+  });
+}
+
+}  // namespace joints

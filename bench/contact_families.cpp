@@ -3,7 +3,7 @@
 
 #include "bench/draw.h"
 #include "chapters/08_ground/program/ragdoll.h"
-#include "chapters/10_own/driven_joints.h"
+#include "joints/driven_joints.h"
 
 namespace joints::bench {
 

@@ -9,12 +9,12 @@
 #include "bench/counted.h"
 #include "bench/settings.h"
 #include "bench/tasks.h"
-#include "chapters/08_ground/ground_contact.h"
-#include "chapters/05_fixed/fixed_joint.h"
-#include "chapters/04_slider/slider_joint.h"
-#include "chapters/03_hinge/hinge_joint.h"
-#include "engine/instruments/plan.h"
+#include "contacts/ground_contact.h"
 #include "engine/instruments/options.h"
+#include "engine/instruments/plan.h"
+#include "joints/fixed_joint.h"
+#include "joints/hinge_joint.h"
+#include "joints/slider_joint.h"
 
 using namespace joints;
 using namespace joints::bench;

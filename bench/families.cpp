@@ -6,8 +6,8 @@
 
 #include "bench/draw.h"
 #include "bench/random_chains.h"
-#include "chapters/04_slider/slider_joint.h"
 #include "chapters/09_direct/program/linkages.h"
+#include "joints/slider_joint.h"
 
 namespace joints::bench {
 

@@ -1,7 +1,7 @@
 // The benchmark's chains.
 #include "bench/scenes.h"
 
-#include "chapters/02_ball/ball_joint.h"
+#include "joints/ball_joint.h"
 
 namespace joints::bench {
 

@@ -1,8 +1,8 @@
 // The benchmark scenes: bodies, joints, the marks by which they are measured, a tip to follow.
 #pragma once
 
-#include "chapters/03_hinge/hinge_joint.h"
 #include "engine/instruments/scene.h"
+#include "joints/hinge_joint.h"
 
 /// \defgroup bench Benchmark
 /// \brief Scenes, settings and the runner for error against run time, and the stability suite.

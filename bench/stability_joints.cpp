@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "bench/suite.h"
-#include "chapters/01_distance/distance_joint.h"
+#include "joints/distance_joint.h"
 
 namespace joints::bench {
 

@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "bench/suite.h"
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
 #include "engine/instruments/rate.h"
+#include "joints/distance_joint.h"
+#include "joints/fixed_joint.h"
 
 namespace joints::bench {
 

@@ -5,7 +5,7 @@
 
 #include "bench/draw.h"
 #include "bench/settings.h"
-#include "chapters/08_ground/ground_contact.h"
+#include "contacts/ground_contact.h"
 
 /// \addtogroup bench
 /// @{

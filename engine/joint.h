@@ -4,12 +4,13 @@
 #include <cstdint>
 
 #include "engine/block.h"
-#include "engine/kept/state_stream.h"
 
 /// \defgroup joint Joints
 /// \brief The interface between engine and joints; the joints themselves are in the chapters.
 /// @{
 namespace joints {
+
+class StateStream;  // engine/kept
 
 /// The largest Joint::beta [1]. Above 2 every error grows, which may be tried on purpose; a beta
 /// above this limit is rejected as a mistake.
@@ -88,14 +89,6 @@ class Joint {
   /// True for joints that come and go while the world is stepped: a State does not contain them,
   /// and restore() neither adds nor removes nor changes any.
   virtual bool transient() const { return false; }
-  /// Saves or restores all data that the joint keeps from step to step: for save() and restore()
-  /// (state.h).
-  void exchange(StateStream& stream) {
-    stream(h_, acted_, can_move_);
-    require(h_ >= 0 && acted_ >= 0, "state: holds a step of negative length");
-    exchange_own(stream);
-  }
-
   /// The mean force of a row over the time for which its impulse acted [N or N m]; 0 before the
   /// first step. \param impulse its accumulated impulse [N s or N m s]
   real mean_force(real impulse) const { return acted_ > 0 ? impulse / acted_ : real(0); }
@@ -111,9 +104,9 @@ class Joint {
   virtual void choose_rows(const Bodies&, [[maybe_unused]] real h) {}
   /// Called instead of choose_rows() if both bodies are static. Then no row is live.
   virtual void drop_rows() {}
-  /// The joint's own part of exchange(). It lists every variable that a later step may read, such
+  /// For save() and restore() of engine/kept: lists every variable that a later step may read, such
   /// as accumulated impulses, always the same number of them in the same order.
-  virtual void exchange_own(StateStream&) {}
+  virtual void serialize(StateStream&) {}
   /// The target of a block that holds a position: hard with beta, or soft with frequency and
   /// damping. \param lower 0 if the last row enforces C >= 0
   RowTarget hold(real lower = -unbounded) const {
@@ -122,6 +115,7 @@ class Joint {
 
  private:
   friend class World;
+  friend void serialize(Joint& joint, StateStream& stream);
   bool can_move_ = true;
   real h_ = 0, acted_ = 0;  // of the last step [s]
   std::size_t place_ = 0;     // in World::joints()

@@ -8,7 +8,7 @@
 
 #include <btBulletCollisionCommon.h>
 
-#include "chapters/08_ground/contacts.h"
+#include "contacts/contacts.h"
 
 /// \addtogroup chapter8
 /// @{

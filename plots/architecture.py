@@ -9,6 +9,7 @@ drawing, and a proof of the workbook's tests compares the two.
 import sys
 from pathlib import Path
 
+import drawing
 import layers
 from drawing import BODY1, BODY2, CARD, FAINT, INK, arrow, draw, words
 from matplotlib.patches import FancyBboxPatch
@@ -16,19 +17,23 @@ from matplotlib.patches import FancyBboxPatch
 ROOT = Path(__file__).absolute().parent.parent
 
 # For each group of folders: the place of its box, and the words below its name.
-GROUPS = {"tests": (700, 340, "the proofs"),
-          "bench": (620, 278, "error and time"),
-          "live": (400, 309, "docs/live"),
-          "programs": (620, 216, "chapters/*/program"),
-          "checker": (770, 216, "parts, differences"),
-          "library": (475, 216, "joints.h, packages"),
-          "solutions": (335, 216, "the exercises"),
-          "chapters": (440, 154, "parts and joints"),
-          "simd": (400, 92, "engine/simd"),
-          "instruments": (590, 92, "measuring"),
-          "core": (510, 30, "engine/*: bodies, blocks, step, solvers")}
+GROUPS = {"tests": (720, 436, "the proofs"),
+          "live": (600, 384, "docs/live"),
+          "bench": (600, 332, "error and time"),
+          "programs": (600, 280, "chapters/*/program"),
+          "library": (440, 280, "joints.h, packages"),
+          "joints": (472, 228, "what a user adds"),
+          "contacts": (612, 228, "ground, points"),
+          "solutions": (335, 228, "the exercises"),
+          "chapters": (480, 176, "texts and parts"),
+          "instruments": (640, 176, "measuring"),
+          "checker": (780, 176, "parts, differences"),
+          "steps": (560, 124, "other ways to step"),
+          "kept": (620, 72, "saving, reactions"),
+          "simd": (420, 72, "engine/simd"),
+          "core": (510, 24, "engine/*: bodies, blocks, step, solvers")}
 WIDE = {"core": 290}
-HIGH = 42
+HIGH = 34
 
 
 def box(ax, place, size, name, below, colour):
@@ -36,13 +41,13 @@ def box(ax, place, size, name, below, colour):
     ax.add_patch(FancyBboxPatch((x - width / 2, y - height / 2), width, height, facecolor=CARD,
                                 edgecolor=colour, linewidth=1.6, zorder=5,
                                 boxstyle="round,pad=0,rounding_size=8"))
-    words(ax, (x, y + 7), name, size=11, weight="bold")
-    words(ax, (x, y - 9), below, FAINT, size=8.2)
+    words(ax, (x, y + 6), name, size=10.5, weight="bold")
+    words(ax, (x, y - 8), below, FAINT, size=8)
 
 
 def cycle(ax):
     """Left: the path of a step."""
-    words(ax, (125, 356), "a step", size=12.5, weight="bold")
+    words(ax, (125, 440), "a step", size=12.5, weight="bold")
     stations = [("Body", "poses, velocities", 300), ("Joint", "rows of two bodies", 232),
                 ("Block", "rows J, errors C, targets", 164),
                 ("Solver", "computes the impulses", 96)]
@@ -57,7 +62,7 @@ def cycle(ax):
 
 def groups(ax):
     """Right: the includes between the groups."""
-    words(ax, (300, 356), "includes between folders", size=12.5, weight="bold", ha="left")
+    words(ax, (300, 440), "includes between folders", size=12.5, weight="bold", ha="left")
     for name, (x, y, below) in GROUPS.items():
         box(ax, (x, y), (WIDE.get(name, 128), HIGH), name, below, FAINT)
     for user, used in sorted(layers.direct(layers.includes(ROOT))):
@@ -70,4 +75,5 @@ def groups(ax):
 
 
 if __name__ == "__main__":
+    drawing.HEIGHT = 462
     draw(__doc__, "architecture", [cycle, groups], [258], 850)

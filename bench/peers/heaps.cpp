@@ -6,10 +6,10 @@
 #include <ctime>
 
 #include "bench/draw.h"
-#include "chapters/02_ball/ball_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
 #include "engine/simd/packed.h"
 #include "engine/steps/step.h"
+#include "joints/ball_joint.h"
+#include "joints/fixed_joint.h"
 
 namespace joints::bench {
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "chapters/02_ball/ball_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
-#include "chapters/08_ground/ground_contact.h"
+#include "contacts/ground_contact.h"
+#include "joints/ball_joint.h"
+#include "joints/fixed_joint.h"
 
 namespace joints::bench {
 

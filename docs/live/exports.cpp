@@ -2,9 +2,9 @@
 // out before its next call.
 #include <cstring>
 
-#include "chapters/03_hinge/hinge_joint.h"
-#include "chapters/04_slider/slider_joint.h"
 #include "docs/live/run.h"
+#include "joints/hinge_joint.h"
+#include "joints/slider_joint.h"
 
 using namespace joints;
 using namespace joints::live;

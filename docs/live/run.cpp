@@ -3,12 +3,12 @@
 
 #include <numbers>
 
-#include "chapters/02_ball/ball_joint.h"
-#include "chapters/08_ground/ground_contact.h"
+#include "contacts/ground_contact.h"
 #include "engine/input.h"
 #include "engine/instruments/rate.h"
-#include "engine/kernels.h"
 #include "engine/kept/state.h"
+#include "engine/kernels.h"
+#include "joints/ball_joint.h"
 
 namespace joints::live {
 
@@ -61,7 +61,9 @@ void LiveRun::set(const PageSettings& to) {
                     .leapfrog = to.leapfrog != 0,
                     .frequency = real(to.frequency),
                     .damping = real(to.damping)};
-  direct_.fallback = scene.solver;
+  direct_.fallback.iterations = scene.solver.iterations;
+  direct_.fallback.relaxation = scene.solver.relaxation;
+  direct_.fallback.split_iterations = 0;
   direct_.newton = int(to.newton);
   direct_.added_inertia = real(to.added_inertia);
   is_own_ = to.own != 0 && live_.own;

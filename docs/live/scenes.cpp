@@ -2,7 +2,6 @@
 #include "docs/live/scenes.h"
 
 #include "bench/scenes.h"
-#include "chapters/01_distance/distance_joint.h"
 #include "chapters/01_distance/program/scenes.h"
 #include "chapters/03_hinge/program/door.h"
 #include "chapters/04_slider/program/piston.h"
@@ -16,6 +15,7 @@
 #include "chapters/08_ground/program/own_ground.h"
 #include "chapters/08_ground/program/wheels.h"
 #include "chapters/10_own/program/machine.h"
+#include "joints/distance_joint.h"
 
 namespace joints::live {
 

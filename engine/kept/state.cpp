@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/input.h"
+#include "engine/kept/state_stream.h"
 
 namespace joints {
 
@@ -66,7 +67,7 @@ void write(World& world, const State& state) {
   StateStream bodies(state.bodies.data()), numbers(state.joints.data());
   for (const int slot : state.slots) exchange(world.bodies.at(slot), bodies);
   for (const auto& joint : world.joints())
-    if (!joint->transient()) joint->exchange(numbers);
+    if (!joint->transient()) serialize(*joint, numbers);
 }
 
 }  // namespace
@@ -86,7 +87,7 @@ State save(const World& world) {
   for (const auto& joint : world.joints()) {
     if (joint->transient()) continue;
     const std::size_t before = out.joints.size();
-    joint->exchange(numbers);
+    serialize(*joint, numbers);
     out.shapes.push_back({int(joint->body1.slot), int(joint->body2.slot),
                           int(out.joints.size() - before)});
   }

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "engine/require.h"
+#include "engine/joint.h"
 
 /// \addtogroup world
 /// @{
@@ -54,6 +54,13 @@ class StateStream {
   std::vector<real>* out_ = nullptr;
   const real* in_ = nullptr;
 };
+
+/// Writes or reads all data that a joint keeps from step to step.
+inline void serialize(Joint& joint, StateStream& stream) {
+  stream(joint.h_, joint.acted_, joint.can_move_);
+  require(joint.h_ >= 0 && joint.acted_ >= 0, "state: holds a step of negative length");
+  joint.serialize(stream);
+}
 
 }  // namespace joints
 /// @}

@@ -1,5 +1,5 @@
-// Sequential Impulses with a second kind of iterations at the end of a step, so that feedback leaves
-// no velocity behind: relax iterations or a split impulse (chapter 6).
+// Sequential Impulses with a second kind of iterations at the end of a step, so that feedback
+// leaves no velocity behind: relax iterations or a split impulse (chapter 6).
 #pragma once
 
 #include "engine/sequential_impulses.h"

@@ -1,13 +1,13 @@
 // The tests of chapter 1's exercises. Linked with the solution, with the reader's file, with the
 // stub and with every known wrong and right answer.
-#include "chapters/01_distance/distance_joint.h"
 #include "engine/sequential_impulses.h"
 #include "engine/steps/step.h"
-#include "tests/checker/catch.h"
+#include "joints/distance_joint.h"
 #include "tests/01_distance/clamp_cases.h"
 #include "tests/01_distance/drawn_cases.h"
 #include "tests/01_distance/row_cases.h"
 #include "tests/01_distance/step_cases.h"
+#include "tests/checker/catch.h"
 #include "tests/checker/fixtures.h"
 #include "tests/checker/named.h"
 

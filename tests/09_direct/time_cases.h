@@ -1,10 +1,10 @@
 // Exercise 9.5: worlds that are stepped a few times, and their numbers.
 #pragma once
 
-#include "chapters/02_ball/ball_joint.h"
-#include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/09_direct/direct.h"
 #include "engine/sequential_impulses.h"
+#include "joints/ball_joint.h"
+#include "joints/hinge_joint.h"
 #include "tests/checker/padded.h"
 
 namespace joints::testing {

@@ -7,9 +7,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "chapters/03_hinge/hinge_joint.h"
 #include "engine/instruments/measure.h"
 #include "engine/instruments/record.h"
+#include "joints/hinge_joint.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/oracle.h"
 

@@ -2,8 +2,8 @@
 #include "engine/instruments/rate.h"
 #include "engine/instruments/run.h"
 
-#include "chapters/02_ball/ball_joint.h"
 #include "engine/kept/state.h"
+#include "joints/ball_joint.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/oracle.h"
 

@@ -1,9 +1,9 @@
 // The textbook's hinge, against which the loops are measured, does what the engine's does.
 #include "bench/scenes.h"
 #include "bench/textbook.h"
-#include "chapters/03_hinge/hinge_joint.h"
 #include "engine/sequential_impulses.h"
 #include "engine/steps/step.h"
+#include "joints/hinge_joint.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/oracle.h"
 

@@ -1,8 +1,8 @@
 // The parts of chapters 3 to 5 and whole joints, as the numeric checker wants them.
 #pragma once
 
-#include "chapters/03_hinge/driven_joint.h"
 #include "chapters/05_fixed/fixed.h"
+#include "joints/driven_joint.h"
 #include "tests/checker/fixtures.h"
 
 namespace joints::testing {

@@ -161,7 +161,8 @@ TEST_CASE("a motor and a spring pull for half a step in synchronised velocities"
       solver.iterations = 300;
       const auto middles = [&](World& world, auto speed) {  // of a step, and between two
         step(world, solver, h / 4, how);
-        const real before = speed(world.bodies), now = speed(synchronised(world, solver, how.warm_start));
+        const real before = speed(world.bodies);
+        const real now = speed(synchronised(world, solver, warm));
         step(world, solver, h / 4, how);
         return std::pair{double(before + speed(world.bodies)) / 2, double(now)};
       };

@@ -1,5 +1,5 @@
 // Relax iterations and split impulses with limits, motors, contacts, springs and soft rows.
-#include "chapters/08_ground/ground_contact.h"
+#include "contacts/ground_contact.h"
 #include "tests/oracle/test.h"
 #include "tests/oracle/track.h"
 

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/03_hinge/hinge_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
-#include "chapters/08_ground/ground_contact.h"
+#include "contacts/ground_contact.h"
+#include "joints/distance_joint.h"
+#include "joints/fixed_joint.h"
+#include "joints/hinge_joint.h"
 
 namespace joints::testing {
 

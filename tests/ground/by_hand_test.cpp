@@ -1,7 +1,7 @@
 // The loop of chapter 8's program: one box on the ground, by the functions of the exercises, and
 // its reference in the engine.
-#include "chapters/08_ground/ground_contact.h"
 #include "chapters/08_ground/program/own_ground.h"
+#include "contacts/ground_contact.h"
 #include "tests/oracle/test.h"
 
 namespace {

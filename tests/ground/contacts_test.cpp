@@ -1,5 +1,5 @@
 // Contacts at supplied points: kept impulses, pairs that come and go, saving and restoring.
-#include "chapters/08_ground/contacts.h"
+#include "contacts/contacts.h"
 #include "engine/kept/state.h"
 #include "tests/ground/rigs.h"
 #include "tests/oracle/test.h"

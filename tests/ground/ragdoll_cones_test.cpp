@@ -1,6 +1,6 @@
 // The ragdoll of chapter 8 with cones in its shoulders and hips.
 #include "chapters/08_ground/program/ragdoll.h"
-#include "chapters/10_own/driven_joints.h"
+#include "joints/driven_joints.h"
 #include "tests/oracle/test.h"
 
 using namespace joints::chapter8;

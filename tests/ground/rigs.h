@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "bench/orders.h"
-#include "chapters/08_ground/ground_contact.h"
+#include "contacts/ground_contact.h"
 #include "tests/oracle/oracle.h"
 
 namespace joints::testing {

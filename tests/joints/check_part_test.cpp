@@ -1,9 +1,9 @@
 // The checker of parts, asked as a program outside asks it: parts of the library are right, wrong
 // ones are told what is wrong, and a report says the same as data.
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/03_hinge/hinge_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
 #include "checker/check_part.h"
+#include "joints/distance_joint.h"
+#include "joints/fixed_joint.h"
+#include "joints/hinge_joint.h"
 #include "tests/oracle/test.h"
 
 namespace {

@@ -1,9 +1,9 @@
 // Joints with several free coordinates: their rows beside differences, what their coordinates
 // measure, limits in every direction, drives, locks, and the forces.
-#include "chapters/05_fixed/fixed_joint.h"
-#include "chapters/10_own/driven_joints.h"
 #include "checker/check_part.h"
 #include "engine/kept/state.h"
+#include "joints/driven_joints.h"
+#include "joints/fixed_joint.h"
 #include "tests/joints/three_solvers.h"
 #include "tests/oracle/test.h"
 

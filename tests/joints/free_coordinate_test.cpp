@@ -1,7 +1,7 @@
 // Everything that acts on a free coordinate, alone and together: motor and friction, servo, spring,
 // damper. Families drawn by seeds, for angles and displacements, with every kind of solver.
-#include "chapters/10_own/driven_joints.h"
 #include "engine/kept/state.h"
+#include "joints/driven_joints.h"
 #include "tests/joints/three_solvers.h"
 #include "tests/oracle/test.h"
 

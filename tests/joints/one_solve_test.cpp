@@ -1,9 +1,9 @@
 // What one exact solve of one joint does, by the engine's own loop: the rows hold, energy and
 // momentum change as the formulas say, and the error dies away at the promised rate.
 #include "engine/instruments/measure.h"
+#include "joints/fixed_joint.h"
+#include "joints/hinge_joint.h"
 #include "tests/checker/joint_fixtures.h"
-#include "chapters/03_hinge/hinge_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
 #include "tests/oracle/test.h"
 
 namespace {

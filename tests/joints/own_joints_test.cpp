@@ -2,11 +2,11 @@
 // are known by formula, momentum, power, the forces at rest, and saving, with every kind of solver.
 #include <numbers>
 
-#include "chapters/10_own/driven_joints.h"
-#include "chapters/10_own/rack_joint.h"
 #include "checker/check_part.h"
 #include "engine/instruments/measure.h"
 #include "engine/kept/state.h"
+#include "joints/driven_joints.h"
+#include "joints/rack_joint.h"
 #include "tests/joints/three_solvers.h"
 #include "tests/oracle/test.h"
 

@@ -1,11 +1,11 @@
 // Islands on lanes beside the list's order, step by step from the same state: what the solver keeps
 // from one step to the next must change no result, whatever comes and goes.
 #include "bench/tasks.h"
-#include "chapters/02_ball/ball_joint.h"
-#include "chapters/03_hinge/hinge_joint.h"
-#include "chapters/08_ground/ground_contact.h"
+#include "contacts/ground_contact.h"
 #include "engine/kept/state.h"
 #include "engine/steps/step.h"
+#include "joints/ball_joint.h"
+#include "joints/hinge_joint.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/allocations.h"
 #include "tests/oracle/oracle.h"

@@ -5,8 +5,8 @@
 #include <cstring>
 #include <numbers>
 
-#include "chapters/03_hinge/hinge_joint.h"
 #include "engine/steps/two_pass_impulses.h"
+#include "joints/hinge_joint.h"
 #include "tests/oracle/oracle.h"
 
 namespace joints::testing {

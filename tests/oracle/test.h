@@ -1,8 +1,8 @@
 // What a test of engine and joints begins with: Catch2, the finished joints, what reckons for it.
 #pragma once
 
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
+#include "joints/distance_joint.h"
+#include "joints/fixed_joint.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/rigs.h"
 #include "tests/oracle/shared.h"

@@ -2,9 +2,9 @@
 #include "bench/peers/entries.h"
 #include "bench/peers/peer.h"
 #include "bench/tasks.h"
-#include "chapters/04_slider/slider_joint.h"
-#include "chapters/08_ground/ground_contact.h"
 #include "chapters/09_direct/direct_solver.h"
+#include "contacts/ground_contact.h"
+#include "joints/slider_joint.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/beside.h"
 

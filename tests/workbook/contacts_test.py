@@ -22,7 +22,7 @@ def the_engine_knows_no_contact(root, build):
     for path in sorted(sources):
         for word in words_of(path):
             yield f"engine/{path.name} says '{word}'"
-    if len(words_of(root / "chapters" / "08_ground" / "ground_contact.h")) < 5:
+    if len(words_of(root / "contacts" / "ground_contact.h")) < 5:
         yield "ground_contact.h does not say the words that are looked for"
 
 

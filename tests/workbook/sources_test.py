@@ -10,29 +10,30 @@ import layers
 LINES, MOST_COLUMNS = 330, 100  # LINES is an aim
 
 
-# Which folders of the engine a folder of the engine may include. Its core measures nothing and
-# knows no lanes.
-ENGINE = {"engine": ["engine"], "engine/simd": ["engine", "engine/simd"],
-          "engine/instruments": ["engine", "engine/instruments"], "checker": ["engine", "checker"]}
+# Which folders a folder may include. The engine's core measures nothing, and knows no other way to
+# step, no lanes and nothing that saves it.
+BELOW = {"engine": [], "engine/kept": ["engine"], "engine/steps": ["engine", "engine/kept"],
+         "engine/simd": ["engine"], "checker": ["engine"],
+         "engine/instruments": ["engine", "engine/kept", "engine/steps"]}
 
 
 def may_include(path):
     """The folders from which a file may include, by its own place."""
-    name = str(path)
-    if name.startswith("library/"):  # packages everything
-        return lambda folder: folder.startswith(("engine", "chapters/"))
-    if name.startswith(("engine/", "checker/")):
-        return lambda folder: folder in ENGINE[str(path.parent)]
-    chapter = re.match(r"(?:chapters|solutions)/(\d\d)_", name)
+    folder = str(path.parent)
+    if folder in BELOW:
+        return lambda of: of in (*BELOW[folder], folder)
+    chapter = re.match(r"(?:chapters|solutions)/(\d\d)_", str(path))
     last = int(chapter[1]) if chapter else 99
     folders = ["engine"] + [f"chapters/{n:02}_" for n in range(1, last + 1)]
+    if not chapter or "program" in path.parts:
+        folders += ["joints", "contacts"]
     folders += {"bench": ["bench"], "tests": ["bench", "checker", "tests", "docs"],
                 "docs": ["bench", "docs"]}.get(path.parts[0], [])
-    return lambda folder: folder.startswith(tuple(folders))
+    return lambda of: of.startswith(tuple(folders))
 
 
 def layers_hold(root, build):
-    """everybody includes only what lies below: engine, chapters in their order, bench, tests"""
+    """everybody includes only what lies below: engine, chapters in their order, joints, programs"""
     for path in files(root, ".cpp", ".h"):
         name = path.relative_to(root)
         if "consumer" in name.parts:  # programs outside

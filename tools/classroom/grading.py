@@ -69,7 +69,8 @@ def linked_last(line):
 def fence_of_compiler(folder, line):
     """What may be read by the commands that compile and link a file that lies in the folder: it,
     headers, and the linked files; no source that is somebody else's."""
-    headers = [house.ROOT / "engine", *(house.ROOT / "chapters").glob("*/*.h")]
+    headers = [*(house.ROOT / name for name in ("engine", "joints", "contacts")),
+               *(house.ROOT / "chapters").glob("*/*.h")]
     words = shlex.split(line)
     objects = [house.BUILD / path for path in words if path not in lend.made(line)
                and re.search(r"\.[oa]$|/where\.cpp$|\.hxx$", path)]

@@ -18,7 +18,7 @@ CODE = {
                     "for (int i = 0; i < iterations; ++i) iterate(bodies);", 1),
                    ("engine/sequential_impulses.cpp",
                     "real e[N];  // velocity error of each row: J V + bias", 2)),
-    "strength": (("chapters/03_hinge/free_coordinate.h", "if (strength > 0)", 6),),
+    "strength": (("joints/free_coordinate.h", "if (strength > 0)", 6),),
     "relaxation": (("engine/block.h",
                     "const real mass_scale = relaxation / (1 + softness);", 1),),
     "tilt": (("engine/sequential_impulses.cpp",
@@ -26,7 +26,8 @@ CODE = {
               "  // bounds are -+upper * impulse[follows]", 5),),
     "projections": (("engine/steps/step.cpp",
                      "for (int i = 0; i < how.projections; ++i) project_positions(world);", 1),
-                    ("engine/steps/projection.cpp", "for (const auto& joint : world.joints()) {", 4)),
+                    ("engine/steps/projection.cpp",
+                     "for (const auto& joint : world.joints()) {", 4)),
     "substeps": (("engine/steps/step.cpp", "const real h_sub = h / real(how.substeps);", 5),),
     "direct": (("chapters/09_direct/active_set.cpp", "if (!factored) {", 6),),
     "newton": (("chapters/09_direct/positions.cpp", "move_onto_constraints(bodies_, "

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <string>
 
-#include "chapters/03_hinge/hinge_joint.h"
 #include "engine/instruments/scene.h"
+#include "joints/hinge_joint.h"
 
 /// \addtogroup chapter3
 /// @{

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "chapters/04_slider/slider_joint.h"
 #include "engine/instruments/scene.h"
+#include "joints/slider_joint.h"
 
 /// \addtogroup chapter4
 /// @{

@@ -2,8 +2,8 @@
 // here.
 #pragma once
 
-#include "chapters/05_fixed/fixed_joint.h"
 #include "engine/instruments/scene.h"
+#include "joints/fixed_joint.h"
 
 /// \addtogroup chapter5
 /// @{

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "chapters/02_ball/ball_joint.h"
 #include "chapters/06_baumgarte/baumgarte.h"
 #include "engine/instruments/scene.h"
+#include "joints/ball_joint.h"
 
 /// \addtogroup chapter6
 /// @{

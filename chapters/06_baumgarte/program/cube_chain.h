@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "chapters/02_ball/ball_joint.h"
 #include "engine/instruments/scene.h"
+#include "joints/ball_joint.h"
 
 /// \addtogroup chapter6
 /// @{

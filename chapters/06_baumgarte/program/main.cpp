@@ -5,11 +5,11 @@
 #include <cstdio>
 #include <deque>
 
-#include "chapters/02_ball/ball_joint.h"
 #include "chapters/06_baumgarte/program/chain_loop.h"
 #include "chapters/06_baumgarte/program/program.h"
-#include "engine/instruments/plan.h"
 #include "engine/instruments/options.h"
+#include "engine/instruments/plan.h"
+#include "joints/ball_joint.h"
 
 using namespace joints;
 using namespace joints::chapter6;

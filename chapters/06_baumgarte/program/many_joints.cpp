@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chapters/01_distance/distance_joint.h"
 #include "chapters/06_baumgarte/program/cube_chain.h"
 #include "chapters/06_baumgarte/program/program.h"
+#include "joints/distance_joint.h"
 
 namespace joints::chapter6 {
 

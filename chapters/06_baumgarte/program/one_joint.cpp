@@ -2,11 +2,11 @@
 // costs, and the motion that remains. Read it; there is nothing to edit here.
 #include <cmath>
 
-#include "chapters/02_ball/ball_joint.h"
-#include "chapters/03_hinge/hinge_joint.h"
-#include "chapters/04_slider/slider_joint.h"
 #include "chapters/06_baumgarte/baumgarte.h"
 #include "chapters/06_baumgarte/program/program.h"
+#include "joints/ball_joint.h"
+#include "joints/hinge_joint.h"
+#include "joints/slider_joint.h"
 
 namespace joints::chapter6 {
 

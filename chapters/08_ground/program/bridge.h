@@ -1,9 +1,9 @@
 // A suspension bridge under a load, after the thesis' fig. 5.6. Given.
 #pragma once
 
-#include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/08_ground/program/program.h"
 #include "engine/kept/reaction.h"
+#include "joints/hinge_joint.h"
 
 namespace joints::chapter8 {
 

@@ -1,9 +1,9 @@
 // The cannon of the thesis, fig. 5.3, with a ground for its shot. Given.
 #pragma once
 
-#include "chapters/04_slider/slider_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
 #include "chapters/08_ground/program/program.h"
+#include "joints/fixed_joint.h"
+#include "joints/slider_joint.h"
 
 namespace joints::chapter8 {
 

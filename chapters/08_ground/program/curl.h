@@ -3,8 +3,8 @@
 
 #include <numbers>
 
-#include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/08_ground/program/program.h"
+#include "joints/hinge_joint.h"
 
 namespace joints::chapter8 {
 

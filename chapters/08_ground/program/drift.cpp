@@ -1,7 +1,7 @@
 // Chapter 8's program: chapter 6's hinge without correction, and beside it the same hinge whose
 // cube hits the ground in its swing. Read it; there is nothing to edit here.
-#include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/08_ground/program/order.h"
+#include "joints/hinge_joint.h"
 
 namespace joints::chapter8 {
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "chapters/02_ball/ball_joint.h"
 #include "chapters/08_ground/program/program.h"
+#include "joints/ball_joint.h"
 
 /// \addtogroup chapter8
 /// @{

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "chapters/08_ground/ground_contact.h"
+#include "contacts/ground_contact.h"
 #include "engine/instruments/scene.h"
 
 namespace joints::chapter8 {

@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "chapters/05_fixed/fixed_joint.h"
 #include "chapters/08_ground/program/program.h"
+#include "joints/fixed_joint.h"
 
 namespace joints::chapter8 {
 

@@ -3,9 +3,9 @@
 
 #include <numbers>
 
-#include "chapters/03_hinge/hinge_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
 #include "chapters/08_ground/program/program.h"
+#include "joints/fixed_joint.h"
+#include "joints/hinge_joint.h"
 
 namespace joints::chapter8 {
 

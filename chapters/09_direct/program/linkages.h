@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "chapters/02_ball/ball_joint.h"
-#include "chapters/03_hinge/hinge_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
 #include "engine/instruments/scene.h"
+#include "joints/ball_joint.h"
+#include "joints/fixed_joint.h"
+#include "joints/hinge_joint.h"
 
 /// \addtogroup chapter9
 /// @{

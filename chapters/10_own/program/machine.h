@@ -2,8 +2,8 @@
 // screw, which lifts a nut. Read it; there is nothing to edit here.
 #pragma once
 
-#include "chapters/10_own/driven_joints.h"
 #include "engine/instruments/scene.h"
+#include "joints/driven_joints.h"
 
 /// \addtogroup chapter10
 /// @{

@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "chapters/10_own/program/machine.h"
-#include "chapters/10_own/driven_joints.h"
-#include "chapters/10_own/rack_joint.h"
 #include "engine/instruments/options.h"
+#include "joints/driven_joints.h"
+#include "joints/rack_joint.h"
 
 using namespace joints;
 using namespace joints::chapter10;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "chapters/01_distance/rods.h"
-#include "engine/part_joint.h"
+#include "joints/part_joint.h"
 
 /// \addtogroup chapter1
 /// @{

@@ -1,8 +1,8 @@
 // The slider of the engine. Given: there is nothing to edit here.
 #pragma once
 
-#include "chapters/03_hinge/driven_joint.h"
 #include "chapters/04_slider/slider.h"
+#include "joints/driven_joint.h"
 
 /// \addtogroup chapter4
 /// @{

@@ -1,8 +1,8 @@
 // The hinge of the engine. Given: there is nothing to edit here.
 #pragma once
 
-#include "chapters/02_ball/ball_joint.h"
-#include "chapters/03_hinge/driven_joint.h"
+#include "joints/ball_joint.h"
+#include "joints/driven_joint.h"
 
 /// \addtogroup chapter3
 /// @{

@@ -2,8 +2,8 @@
 // edit here.
 #pragma once
 
-#include "chapters/03_hinge/free_coordinate.h"
 #include "engine/composite.h"
+#include "joints/free_coordinate.h"
 
 /// \addtogroup chapter3
 /// @{
@@ -78,8 +78,8 @@ class DrivenJoint : public Joint,
     Free::drop();
   }
   /// Saves or restores the coordinate and the impulses.
-  void exchange_own(StateStream& stream) override {
-    Free::exchange(stream);
+  void serialize(StateStream& stream) override {
+    Free::serialize(stream);
     stream(impulse_);
   }
   /// Makes the joint from its parts.

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "chapters/01_distance/rods.h"
-#include "chapters/10_own/own_joint.h"
+#include "joints/own_joint.h"
 
 /// \addtogroup chapter10
 /// @{

@@ -1,9 +1,9 @@
 // The fixed joint of the engine: given, there is nothing to edit here.
 #pragma once
 
-#include "chapters/02_ball/ball_joint.h"
-#include "chapters/04_slider/slider_joint.h"
 #include "chapters/05_fixed/fixed.h"
+#include "joints/ball_joint.h"
+#include "joints/slider_joint.h"
 
 /// \addtogroup chapter5
 /// @{
@@ -52,7 +52,7 @@ class FixedJoint : public Joint {
   }
 
  protected:
-  void exchange_own(StateStream& stream) override { stream(impulse_); }
+  void serialize(StateStream& stream) override { stream(impulse_); }
 
  private:
   mutable Vector<6> impulse_{};  // written by the solver through the blocks

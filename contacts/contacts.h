@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "chapters/08_ground/point_contacts.h"
+#include "contacts/point_contacts.h"
 #include "engine/world.h"
 
 /// \addtogroup chapter8
@@ -80,9 +80,9 @@ class ContactJoint : public PointContacts {
   }
 
  protected:
-  void exchange_own(StateStream& stream) override {
-    exchange_rebounded(stream);
-    for (ContactPoint& point : points_) point.exchange(stream);
+  void serialize(StateStream& stream) override {
+    serialize_rebounded(stream);
+    for (ContactPoint& point : points_) point.serialize(stream);
   }
 
  private:
@@ -280,7 +280,7 @@ inline Contacts::Saved Contacts::save() const {
     if (entry == joints_.end() || entry->second.joint != joint.get()) continue;
     Saved::Pair pair{joint->body1, joint->body2, entry->second.joint->places()};
     StateStream numbers(pair.numbers);
-    joint->exchange(numbers);
+    serialize(*joint, numbers);
     out.pairs.push_back(std::move(pair));
   }
   return out;
@@ -292,7 +292,7 @@ inline void Contacts::restore(const Saved& saved) {
   for (const Saved::Pair& pair : saved.pairs) {
     ContactJoint& joint = touch(pair.a, pair.b, pair.places);
     StateStream numbers(pair.numbers.data());
-    joint.exchange(numbers);
+    serialize(joint, numbers);
   }
 }
 

@@ -5,11 +5,11 @@
 #include <numbers>
 #include <tuple>
 
-#include "chapters/02_ball/ball_joint.h"
-#include "chapters/03_hinge/hinge_joint.h"
-#include "chapters/04_slider/slider_joint.h"
 #include "chapters/10_own/own.h"
-#include "engine/part_joint.h"
+#include "joints/ball_joint.h"
+#include "joints/hinge_joint.h"
+#include "joints/part_joint.h"
+#include "joints/slider_joint.h"
 
 /// \addtogroup chapter10
 /// @{
@@ -61,8 +61,8 @@ class CountingJoint : public PartJoint<Counted> {
     turns(next_) = turns(this->part);
   }
   /// Saves or restores the impulses and the turns.
-  void exchange_own(StateStream& stream) override {
-    PartJoint<Counted>::exchange_own(stream);
+  void serialize(StateStream& stream) override {
+    PartJoint<Counted>::serialize(stream);
     for (Counted* part : {&this->part, &next_})
       std::apply([&](auto&... expected) { stream(expected...); }, turns(*part));
   }
@@ -186,7 +186,7 @@ class EndRows {
     return out;
   }
   /// Saves or restores the impulses.
-  void exchange(StateStream& stream) { stream(impulse_, signs_, axes_); }
+  void serialize(StateStream& stream) { stream(impulse_, signs_, axes_); }
 
  private:
   // The slope of n.(rotation at the end of a turn) with respect to the vector of the turn: the
@@ -226,10 +226,10 @@ class ConeJoint : public PartJoint<Cone> {
   }
   void drop_rows() override { end_.clear(); }
   /// Saves or restores the impulses of all rows.
-  void exchange_own(StateStream& stream) override {
-    PartJoint::exchange_own(stream);
+  void serialize(StateStream& stream) override {
+    PartJoint::serialize(stream);
     stream(axis_);
-    end_.exchange(stream);
+    end_.serialize(stream);
   }
 
  private:
@@ -265,7 +265,7 @@ class OwnJoint : public Joint {
   Extras extras() const override { return {.bounded = part.one_sided}; }  ///< a bound, or none
 
  protected:
-  void exchange_own(StateStream& stream) override { stream(impulse_); }
+  void serialize(StateStream& stream) override { stream(impulse_); }
 
  private:
   // A block needs to know its number of rows when it is compiled.

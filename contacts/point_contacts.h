@@ -27,7 +27,7 @@ struct ContactPoint {
   real across = 0;          ///< factor of the bound along t[1] [1]
   std::array<real, 3> impulse{};  ///< friction along t[0], along t[1], normal [N s]
   /// Saves or restores it.
-  void exchange(StateStream& stream) { stream(live, last_rate, has_last, kick, t, impulse); }
+  void serialize(StateStream& stream) { stream(live, last_rate, has_last, kick, t, impulse); }
   /// The gap at the end of a step if no row holds it [m]. \param h step [s]
   real gap_after(real h) const { return C + h * rate; }
 };
@@ -96,7 +96,7 @@ class PointContacts : public Joint {
   void append_point(ContactPoint& point, const Part& part, const Bodies& bodies,
                     Blocks& blocks) const;
   /// Saves or restores whether the last step had a rebound.
-  void exchange_rebounded(StateStream& stream) { stream(rebounded_); }
+  void serialize_rebounded(StateStream& stream) { stream(rebounded_); }
 
  private:
   // A row of friction as a part.

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "chapters/08_ground/point_contacts.h"
+#include "contacts/point_contacts.h"
 
 /// \addtogroup chapter8
 /// @{
@@ -102,12 +102,12 @@ class GroundContact : public PointContacts {
   real gap(const Bodies& bodies) const;
 
  protected:
-  void exchange_own(StateStream& stream) override {
+  void serialize(StateStream& stream) override {
     stream(near_);
-    exchange_rebounded(stream);
+    serialize_rebounded(stream);
     live_ = 0;
     for (int k = 0; k < outline.count; ++k) {
-      points_[std::size_t(k)].exchange(stream);
+      points_[std::size_t(k)].serialize(stream);
       live_ += points_[std::size_t(k)].live;
     }
   }

@@ -7,6 +7,7 @@
 
 #include "chapters/03_hinge/hinge.h"
 #include "engine/joint.h"
+#include "engine/kept/state_stream.h"
 
 /// \addtogroup chapter3
 /// @{
@@ -113,8 +114,8 @@ class Leeway {
   template <class Coordinate>
   void measured(const Coordinate&, const Body&, const Body&, real) {}
   void forget() { least_cosine_ = 2; }  ///< the next step measures in any case
-  /// Saves or restores the measurement (Joint::exchange).
-  void exchange(StateStream& stream) { stream(q1_, q2_, allowed_, least_cosine_); }
+  /// Saves or restores the measurement (Joint::serialize).
+  void serialize(StateStream& stream) { stream(q1_, q2_, allowed_, least_cosine_); }
   /// True if the rotation of each body since the measurement is below half of the allowed one.
   bool still_near(const Body& body1, const Body& body2) const {
     return std::abs(dot(q1_, body1.q)) > least_cosine_ &&

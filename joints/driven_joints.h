@@ -2,8 +2,8 @@
 // freedom. Given: there is nothing to edit here.
 #pragma once
 
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/10_own/own_joint.h"
+#include "joints/distance_joint.h"
+#include "joints/own_joint.h"
 
 /// \addtogroup chapter10
 /// @{
@@ -56,9 +56,9 @@ class TurnedCoordinate : public FreeCoordinate<Coordinate> {
     Free::drop();
   }
   /// Saves or restores what a step hands on to the next.
-  void exchange(StateStream& stream) {
-    Free::exchange(stream);
-    end_.exchange(stream);
+  void serialize(StateStream& stream) {
+    Free::serialize(stream);
+    end_.serialize(stream);
   }
 
  private:
@@ -120,9 +120,9 @@ class WithCoordinates : public PartJoint<Rigid> {
     for_each([](auto& free) { free.drop(); });
   }
   /// Saves or restores the coordinates and the impulses.
-  void exchange_own(StateStream& stream) override {
-    PartJoint<Rigid>::exchange_own(stream);
-    for_each([&](auto& free) { free.exchange(stream); });
+  void serialize(StateStream& stream) override {
+    PartJoint<Rigid>::serialize(stream);
+    for_each([&](auto& free) { free.serialize(stream); });
   }
 
  private:
@@ -320,9 +320,9 @@ class ConeTwistJoint : public WithCoordinates<Point, HingeAngle, SwingAngle, Swi
     WithCoordinates::drop_rows();
     cone_.drop_rows();
   }
-  void exchange_own(StateStream& stream) override {
-    WithCoordinates::exchange_own(stream);
-    cone_.exchange(stream);
+  void serialize(StateStream& stream) override {
+    WithCoordinates::serialize(stream);
+    cone_.serialize(stream);
     stream(limited_);
   }
 

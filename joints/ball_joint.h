@@ -2,7 +2,7 @@
 #pragma once
 
 #include "chapters/02_ball/ball.h"
-#include "engine/part_joint.h"
+#include "joints/part_joint.h"
 
 /// \addtogroup chapter2
 /// @{

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "engine/joint.h"
+#include "engine/kept/state_stream.h"
 #include "engine/part.h"
 
 /// \addtogroup joint
@@ -58,7 +59,7 @@ class PartJoint : public Joint {
 
  protected:
   /// Saves or restores the impulses.
-  void exchange_own(StateStream& stream) override { stream(impulse_); }
+  void serialize(StateStream& stream) override { stream(impulse_); }
 
  private:
   mutable Vector<Part::rows> impulse_{};  // written by the solver through the block

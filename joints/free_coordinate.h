@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
-#include "chapters/03_hinge/limits_and_springs.h"
 #include "engine/part.h"
+#include "joints/limits_and_springs.h"
 
 /// \addtogroup chapter3
 /// @{
@@ -196,7 +196,7 @@ class FreeCoordinate {
   }
   /// Saves or restores settings, count, live rows and impulses, always as many values. The impulse
   /// of a limit belongs to the joint if it is in a block of the joint.
-  void exchange(StateStream& stream) {
+  void serialize(StateStream& stream) {
     Data none;
     Data& data = data_ ? *data_ : none;
     Rows& now = data.now;
@@ -213,7 +213,7 @@ class FreeCoordinate {
       require(sign * sign * sign == sign, "state: the sign of a limit's row must be 0, 1 or -1");
     check(data.range), check(data.motor), check(Motor{0, data.friction}), check(data.spring);
     if constexpr (requires { coordinate_.expected; }) stream(coordinate_.expected);
-    data.leeway.exchange(stream);
+    data.leeway.serialize(stream);
     if (!data_ && (none.limited() || none.pushes() || turn)) data_ = std::make_unique<Data>(none);
   }
 

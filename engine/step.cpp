@@ -1,16 +1,12 @@
 // Algorithm 1 of the thesis: forces, blocks, impulses, poses.
 #include "engine/step.h"
 
-#include "engine/input.h"
-
 namespace joints {
 
-void step(World& world, Solver& solver, real h, bool warm_start) {
-  const StepMethod euler;
-  check_input(world, solver, h);
-  begin_step(world, solver, h, warm_start, euler);
-  solve_step(world, solver, h, euler);
-  end_step(world, solver, h, euler);
+void step(World& world, Solver& solver, real h, bool warm_start, const StepMethod& method) {
+  begin_step(world, solver, h, warm_start, method);
+  solve_step(world, solver, h, method);
+  end_step(world, solver, h, method);
 }
 
 void begin_step(World& world, Solver& solver, real h, bool warm_start, const StepMethod& method) {
@@ -57,7 +53,6 @@ void StepMethod::move(World& world, Solver& solver, real h) const {
 void end_step(World& world, Solver& solver, real h, const StepMethod& method) {
   method.move(world, solver, h);
   if (world.blocks.after_move) world.blocks.after_move(world, solver, h);
-  check_motion(world.bodies);
 }
 
 }  // namespace joints

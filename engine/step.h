@@ -28,26 +28,19 @@ class StepMethod {
 
 /// Advances the world by one step: forces change the velocities, the solver computes the impulses
 /// of all joints, and the new velocities move the bodies. Memory is allocated only when there are
-/// more rows than in any step before, or when the solver has to regroup its blocks.
+/// more rows than in any step before, or when the solver has to regroup its blocks. The input is
+/// not validated: step() of engine/steps/step.h does that before it calls this one.
 /// \param h step [s] \param warm_start start from the impulses of the last step
-/// \throws std::invalid_argument if check_input() of engine/input.h rejects h, the solver's
-/// settings, a body or a joint. Nothing in the world has changed then, and every further call
-/// throws again.
-/// \throws std::overflow_error at the end if a number of a body has overflowed. Bodies that no
-/// joint connects with it have moved as usual. Remove that body or correct it.
-///
-/// A block whose RowTarget::follows refers to no row is a mistake in the class of its joint. It is
-/// detected only when the blocks are prepared, after the forces have been applied.
-void step(World& world, Solver& solver, real h, bool warm_start = false);
+void step(World& world, Solver& solver, real h, bool warm_start, const StepMethod& method);
 
-// The three parts of a step. None of them validates the input.
+// Its three parts.
 
 /// Integrates the forces, collects the joints' blocks, prepares them, and performs the warm or cold
-/// start.
+/// start. \throws std::invalid_argument if RowTarget::follows of a block refers to no row
 void begin_step(World& world, Solver& solver, real h, bool warm_start, const StepMethod& method);
 /// Solves, and again as long as the new velocities would pass limits within this step.
 void solve_step(World& world, Solver& solver, real h, const StepMethod& method);
-/// Moves the bodies. \throws std::overflow_error as step()
+/// Moves the bodies.
 void end_step(World& world, Solver& solver, real h, const StepMethod& method);
 
 }  // namespace joints

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/input.h"
+#include "engine/kept/input.h"
 
 namespace joints {
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "contacts/ground_contact.h"
-#include "engine/input.h"
+#include "engine/kept/input.h"
 #include "engine/instruments/rate.h"
 #include "engine/kept/state.h"
 #include "engine/kernels.h"

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "engine/input.h"
+#include "engine/kept/input.h"
 #include "engine/kept/state_stream.h"
 
 namespace joints {

@@ -1,7 +1,7 @@
 // A step with options, put together from the files of this folder.
 #include "engine/steps/step.h"
 
-#include "engine/input.h"
+#include "engine/kept/input.h"
 #include "engine/steps/leapfrog.h"
 #include "engine/steps/projection.h"
 #include "engine/steps/rows.h"
@@ -58,7 +58,7 @@ void begin_step(World& world, Solver& solver, real h, const Stepping& how) {
 void end_step(World& world, Solver& solver, real h, const Stepping& how) {
   end_step(world, solver, h, Chosen(how));
   for (int i = 0; i < how.projections; ++i) project_positions(world);
-  if (how.projections > 0) check_motion(world.bodies);
+  check_motion(world.bodies);
 }
 
 }  // namespace joints

@@ -23,9 +23,16 @@ struct Stepping {
 /// \throws std::invalid_argument as step()
 void check_input(const World& world, const Solver& solver, real h, const Stepping& how);
 
-/// Advances a world by one step of `how.substeps` substeps. Input is validated once.
-/// \param h step [s] \throws std::invalid_argument, std::overflow_error as step() of engine/step.h
-void step(World& world, Solver& solver, real h, const Stepping& how);
+/// Advances a world by one step of `how.substeps` substeps.
+/// \param h step [s]
+/// \throws std::invalid_argument if check_input() rejects h, the settings, a body or a joint.
+/// Nothing in the world has changed then, and every further call throws again.
+/// \throws std::overflow_error at the end of a substep in which a number of a body has overflowed.
+/// Bodies that no joint connects with it have moved as usual. Remove that body or correct it.
+///
+/// A block whose RowTarget::follows refers to no row is a mistake in the class of its joint. It is
+/// detected only when the blocks are prepared, after the forces have been applied.
+void step(World& world, Solver& solver, real h, const Stepping& how = {});
 
 // The first and the last part of a step, for measurements between the iterations: call solve() or
 // iterate() between them. They perform no substeps and add no late limits.

@@ -4,7 +4,7 @@
 
 #include "chapters/09_direct/direct_solver.h"
 #include "chapters/09_direct/runge_kutta.h"
-#include "engine/input.h"
+#include "engine/kept/input.h"
 #include "engine/simd/packed.h"
 #include "tests/oracle/picture.h"
 #include "tests/oracle/test.h"

@@ -28,7 +28,7 @@ def sources():
     root, chapters = house.ROOT, house.chapters()
     mine = {chapter.mine for chapter in chapters}
     engine = ("require", "body", "matrix", "block", "world", "solver",
-              "sequential_impulses", "step", "input", "kept/state",
+              "sequential_impulses", "step", "kept/state", "kept/input",
               "steps/step", "steps/leapfrog", "steps/projection", "steps/two_pass_impulses",
               "simd/lane_order", "simd/places",
               "instruments/measure", "instruments/rate", "instruments/scene")

@@ -1,6 +1,6 @@
 // The check is quick: it forms one sum over all numbers of a body, which is not finite if one of
 // them is not. Only then are the numbers checked one by one.
-#include "engine/input.h"
+#include "engine/kept/input.h"
 
 #include <stdexcept>
 #include <string>

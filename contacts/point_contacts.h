@@ -47,9 +47,8 @@ class PointContacts : public Joint {
   real restitution = 0;        ///< rebound speed over impact speed, 0 to 1 [1]
   real threshold = real(0.5);  ///< no rebound from an impact slower than this [m/s]
   bool turned_tangents = true;  ///< t1 follows the direction of sliding; false: t1 is fixed by n
-  /// Bounds friction along t2 by the rest of the circle beside friction along t1 in the last step:
-  /// a joint then pushes a sliding body sideways as Coulomb's law requires. false: a square, which
-  /// brings bodies to rest sooner.
+  /// A round cone of friction: t2 gets what t1 left in the last step, so a joint pushes a sliding
+  /// body sideways as Coulomb's law requires. false: a square, which brings bodies to rest sooner.
   bool circle = false;
   real slop = 0;          ///< depth that is not corrected [m]
   real push = real(0.8);  ///< greatest speed at which a penetration is corrected [m/s], positive

@@ -27,9 +27,9 @@ struct RowTarget {
   real damping = 1;    ///< damping ratio of that spring [1]
   real rate = 0;       ///< target rate of the last row [unit of C per s]: the speed of a motor
   bool holds_position = true;  ///< true: C is an error to be removed; false: only a rate is given
-  /// If not 0, the bounds of this block of one row are -+upper * impulse[follows], `impulse` being
-  /// its own pointer; `upper` is a factor [1], `lower` is not read. The row of that impulse is
-  /// `follows` rows behind it in Blocks, and one-sided, so that the impulse is never negative.
+  /// Friction, if not 0: this block of one row has the bounds -+upper times the impulse `follows`
+  /// places behind its own (Block::impulse), which is that of a one-sided row; `upper` is then a
+  /// factor [1], and `lower` is ignored. The rows are as many places apart in Blocks.
   int follows = 0;
   real lower = -unbounded;  ///< least force of the last row [N or N m]; 0 for C >= 0
   real upper = unbounded;   ///< greatest force of the last row [N or N m]
@@ -43,8 +43,8 @@ struct RowTarget {
 /// The same target without feedback: hard rows with the same bounds and target rate.
 RowTarget without_feedback(RowTarget target);
 
-/// A target in a step of a given length, with impulses in place of forces. Iterative solvers add
-/// dlambda = -mass_scale K^-1 (J V + bias) - impulse_scale lambda to the accumulated impulses.
+/// A RowTarget for a step of a given length: bounds of impulses, and the coefficients of soft
+/// constraints. Iterative solvers add dlambda = -mass_scale K^-1 (J V + bias) - impulse_scale lambda to the accumulated impulses.
 struct StepTarget {
   real rate;           ///< factor of C in the bias [1/s]: beta/h for hard rows
   real softness;       ///< J V + bias + softness K lambda = 0 is solved [1]; 0 for hard rows
@@ -77,8 +77,7 @@ struct Block {
   int first = 0;                    ///< where its rows begin in Blocks::J and Blocks::C
   short rows = 0;                   ///< 1 to 6
   Form form = Form::any;            ///< the form of its rows
-  /// True if its C is an error of the joint to be removed, and not the deflection of a spring that
-  /// the joint itself has set.
+  /// True if C is an error to be removed; false for the deflection of a spring of the joint.
   bool corrects = false;
   RowTarget target;                 ///< feedback, target rate and bounds
   real* impulse = nullptr;          ///< the accumulated impulses [N s or N m s], in the joint
@@ -124,14 +123,14 @@ class Blocks {
   /// The errors of all blocks, one per row [m, rad, or 1 for a small sine]; 0 in a block that holds
   /// no position.
   std::vector<real> C;
-  std::vector<Row> J;   ///< their rows; rows of former steps may follow behind the last of them
+  std::vector<Row> J;   ///< their rows first; what follows is of former steps
   /// Called at the end of the step, once the bodies have moved; null for nothing. A joint that
   /// appends blocks may set it.
   void (*after_move)(World& world, Solver& solver, real h) = nullptr;
   bool errors_only = false;  ///< append only C and no rows of J: for the errors at other poses
   real acted = 0;  ///< `acting` of the last step [s]; 0 before the first
-  /// The time for which the impulses of this step act [s]: h, or with leapfrog the time between the
-  /// middles of the last step and this one. It converts forces to impulses and impulses to forces.
+  /// The duration of this step's impulses [s]: h, or the mean of the last h and this one with
+  /// leapfrog. An impulse is a force times this.
   real acting = 0;
   mutable SolverMemory memory;  ///< written by the solver
 

@@ -16,8 +16,8 @@ struct BodyMatrices {
   mat3 R;                ///< body space to world
   mat3 inverse_inertia;  ///< [1/(kg m^2)], world; not set if the inertia is isotropic
 };
-/// The matrices of one body while a HeldMatrices exists, else null. A copy is null, too, because
-/// the copied body may be rotated.
+/// The matrices of one body while a HeldMatrices exists, else null. They are never copied: the copy
+/// of a body may be rotated, and they would be those of another pose.
 struct MatricesOfStep {
   const BodyMatrices* now = nullptr;  ///< set by HeldMatrices only
   MatricesOfStep() = default;       ///< null
@@ -122,9 +122,8 @@ void integrate_pose(Body& body, real h);
 /// \param h step [s] \return new angular velocity [rad/s, body space]
 vec3 gyroscopic_midpoint(const vec3& moments, const vec3& w, real h);
 
-/// Identifies a body until it is removed: a slot of the array and a generation. The generation
-/// changes whenever a body takes the slot or leaves it, and it starts at another number in every
-/// array.
+/// Identifies a body until it is removed: a slot of the array, and a count by which ids of removed
+/// bodies and of other arrays are detected.
 struct BodyId {
   std::uint32_t slot = 0;        ///< index into the array
   std::uint32_t generation = 0;  ///< odd for a body; 0 identifies no body

@@ -73,10 +73,9 @@ class Joint {
   /// Called before append() whenever position projection may have moved the bodies. A joint that
   /// counts turns measures its angle again.
   virtual void moved(const Bodies&) {}
-  /// Called after each solve if a body can move. Appends the blocks of limits that the new
-  /// velocities would pass within this step, each limit at most once. The step solves again until
-  /// no joint appends a block. The impulses of these blocks must be zero, because they get no warm
-  /// start. \param h step [s]
+  /// Called after each solve if a body can move: appends limits that the new velocities would
+  /// overshoot within this step, each at most once, with impulses of zero. The step solves again
+  /// until no joint appends a block. \param h step [s]
   virtual void late_limits(const Bodies&, [[maybe_unused]] real h, Blocks&) {}
   /// The limits and motors of the joint, for reports.
   struct Extras {

@@ -78,7 +78,7 @@ constexpr int lower_index(int i, int j) {
 template <int N, class Number>
 inline void invert_lower(Number* K) {
   const auto at = [&](int i, int j) -> Number& { return K[lower_index(i, j)]; };
-  Number least[N];  // the pivot of a dependent row is at most this: only rounding error remains
+  Number least[N];  // up to this a pivot is rounding error: its row depends on others
   unrolled<N>([&](auto i) { least[i] = (4 * epsilon) * at(i, i); });
   unrolled<N>([&](auto k) {
     const Number over_pivot = inverse_above(at(k, k), least[k]);  // 0: its row and column get 0

@@ -36,8 +36,7 @@ using vec3 = glm::vec<3, real, glm::defaultp>;     ///< a column of three number
 using mat3 = glm::mat<3, 3, real, glm::defaultp>;  ///< 3x3, stored by columns: M[column][row]
 using quat = glm::qua<real, glm::defaultp>;        ///< (w, x, y, z), rotates body space into world
 
-/// The library defines it for its own kind of number, and every file that includes this one refers
-/// to it: files and libraries of different kinds do not link.
+/// A guard: a file in double does not link with the library in float, which lacks this function.
 void number_of_the_library(real);
 [[gnu::used]] static void (*const this_library)(real) = number_of_the_library;  ///< that reference
 
@@ -51,8 +50,8 @@ inline mat3 skew(const vec3& r) {
   return mat3(0, r.z, -r.y, -r.z, 0, r.x, r.y, -r.x, 0);  // column by column
 }
 
-/// True if it is neither infinite nor NaN. A template: beside the C library's finite(double), which
-/// returns the same, a function would be ambiguous.
+/// True if it is neither infinite nor NaN. (A template, so that it does not clash with the C
+/// library's finite(double).)
 template <std::convertible_to<real> Number>
 bool finite(const Number& a) { return std::isfinite(real(a)); }
 /// True if all three entries are finite.

@@ -11,8 +11,8 @@ namespace joints {
 struct PreparedRow {
   Row response;  ///< M^-1 J^T: the change of the velocities caused by an impulse of 1
   real bias;     ///< minus the required J V [unit of C per s]
-  /// Kinv[i][last] / Kinv[last][last]: the change of this row's impulse per unit by which the
-  /// bounds change the impulse of the block's last row.
+  /// How much this row's impulse changes per unit by which clamping changes that of the block's
+  /// last row: Kinv[i][last] / Kinv[last][last].
   real clamp_response;
 };
 

@@ -32,8 +32,8 @@ class Solver {
   /// Describes, for reports, which method the solver chooses for these blocks; "" if it has no
   /// choice.
   virtual std::string description(const Bodies&, const Blocks&) const { return {}; }
-  /// Appends the blocks of the step once more, at the bodies' present poses. \param of for each
-  /// slot: append only the blocks of joints of these bodies; null: of all joints
+  /// Evaluates the blocks of the step again, at the bodies' present poses, by appending them.
+  /// \param of for each slot: only the blocks of joints of these bodies; null: of all joints
   using Append = std::function<void(Blocks&, const std::vector<bool>* of)>;
   /// Moves the bodies by their velocities. A solver that corrects errors by other means than
   /// impulses does so here, before or after the move. \param h step [s]
@@ -55,11 +55,11 @@ class Solver {
   std::size_t rows_ = 0;  // of all blocks that were prepared
 };
 
-/// A solver that solves one block after the other, in several iterations. For every block it adds
-/// dlambda of StepTarget to the accumulated impulses and clamps the last one to its bounds (-+upper
-/// times the other impulse, if it follows one). It changes the impulses of the other rows by
-/// Kinv[i][last] / Kinv[last][last] times the change that the clamp made, and then changes the
-/// velocities. SequentialImpulses::solve_block is the reference.
+/// A solver that solves one block after the other, in several iterations. For every block it
+/// 1. adds dlambda of StepTarget to the accumulated impulses;
+/// 2. clamps the last one to its bounds (-+upper times the impulse that it follows, if it does);
+/// 3. changes those of the other rows as far as the clamp requires (PreparedRow::clamp_response);
+/// 4. changes the velocities. SequentialImpulses::solve_block is the reference.
 class IterativeSolver : public Solver {
  public:
   int iterations = 30;  ///< iterations over all blocks per solve()

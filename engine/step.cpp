@@ -17,7 +17,7 @@ void begin_step(World& world, Solver& solver, real h, bool warm_start, const Ste
   blocks.acting = acting;
   world.last_h = h;
 
-  const bool first_rows = blocks.J.empty();  // it keeps those of former steps
+  const bool first_rows = blocks.J.empty();  // it never shrinks
   blocks.clear();
   for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h, acting);
   for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);

@@ -333,9 +333,8 @@ class FreeCoordinate {
     append_late(bodies, blocks);
   }
 
-  // Two rows of one coordinate with the speeds s and 0 as their targets would work against each
-  // other until the weaker one is at its bound. So each bears the lesser strength of the two, with
-  // the sign of `shift`, for the other: their sum is the same at every speed.
+  // A motor and friction would work against each other until the weaker one is at its bound. Both
+  // bounds are shifted by the weaker strength in opposite directions instead; the sum is unchanged.
   [[gnu::noinline]] void append_acting(const Bodies& bodies, Blocks& blocks) const {
     const Data& data = *data_;
     if (data.spring.acts()) {

@@ -90,12 +90,12 @@ inline Tuning tuning(real stiffness, real damping, real K) {
 }
 
 /// Decides when a step need not measure the coordinate: it skips atan2 while the limits of a hinge
-/// are out of reach. A displacement is always measured. The rate of the angle is g.(w2 - w1)
-/// with |g| = 1/cos(alpha/2), where alpha is the angle between the axes (Eq. 3-10). While alpha is
-/// below 83 degrees, |g| is below 1.34, so the angle changes by less than 1.34 times the sum of the
-/// rotations of both bodies. Half of the slack is reserved for the rotations since the measurement,
-/// a quarter for each body, and the other half for this step. The two allowances together keep
-/// alpha below 26 + 2 x 28 = 82 degrees.
+/// are out of reach. A displacement is always measured.
+///
+/// The angle's rate is g.(w2 - w1), |g| = 1/cos(alpha/2), alpha the angle between the axes
+/// (Eq. 3-10). Below alpha = 83 degrees |g| < 1.34, so the angle changes by less than 1.34 times
+/// what the bodies turn. Half of the slack is for their turns since the measurement, half for this
+/// step. From 26 degrees at a measurement both together lead to at most 26 + 2 x 28 = 82.
 class Leeway {
  public:
   /// Called after each measurement: stores both orientations and the allowed rotation.

@@ -141,9 +141,9 @@ inline void check(const Cone& cone) {
   require(cone.limit > 0 && cone.limit < std::numbers::pi_v<real>, "limit", cone.limit,
           "must be above 0 and below pi [rad]");
 }
-/// Rows that keep one-sided angular parts for the pose at the end of a step. The row of such a part
-/// is exact for the pose at its start. If the new velocities would violate the part at the end all
-/// the same, up to `most` rows for that pose are added, one after the other.
+/// Rows of a one-sided angular part for the end of a step. Its own row is exact at the start; if the
+/// new velocities would violate the part at the end all the same, up to `most` rows for the pose
+/// there are added, one after the other.
 class EndRows {
  public:
   static constexpr int most = 12;                ///< rows in a step

@@ -24,10 +24,8 @@ inline void check(const Slide& slide) {
   require_unit("a1_local", slide.a1_local);
 }
 
-/// The largest m r^2 / I of a lever r in a joint with a lock [1]. For a long lever the lever terms
-/// dominate the K of the rows that hold the anchor, and the lock nearly determines these rows. The
-/// part that does not depend on the lock is 1/m. Relative to the lever terms it must stay larger
-/// than the rounding errors and than the threshold below which a solver drops a row.
+/// The largest m r^2 / I of a lever r in a joint with a lock [1]. Beyond it the rows that hold the
+/// anchor depend on the lock but for rounding errors: of their K only 1/m does not.
 constexpr real max_lever_share = sizeof(real) == 4 ? real(1e6) : real(1e10);
 /// Validates a lever. \throws std::invalid_argument for an anchor too far from the centre of the
 /// body \param lever from the centre to the anchor [m]

@@ -17,10 +17,9 @@ class Leapfrog : public StepMethod {
   void move(World& world, Solver& solver, real h) const override;
 };
 
-/// The bodies with velocities at the same time as their poses. After a step with leapfrog the
-/// velocities in the world belong to the middle of that step, so energies and speeds computed from
-/// them lag by half a step. This function lets forces and joints act for the other half, without
-/// feedback. The world is not changed, except that World::blocks are empty afterwards. Source:
+/// The bodies with velocities at the time of their poses. After a step with leapfrog, velocities
+/// lag by half a step, and so do energies that are computed from them. This function lets forces
+/// and joints act for the other half, without feedback. The world is not changed, except that World::blocks are empty afterwards. Source:
 /// Andersen, "Rattle", 1983.
 /// \param solver a separate solver, which is not used for the steps
 /// \param warm_start whether the steps start from the impulses of the last one

@@ -56,7 +56,7 @@ void TwoPassImpulses::advance_split(Bodies& bodies, real h) {
     retarget(block, blocks, block.target, h);
     split_blocks_.push_back(block);
     split_blocks_.back().impulse = &split_impulses_[std::size_t(block.first)];
-    // a limit uses the sum of both velocities, an equality only the correcting one
+    // a limit must see both velocities together, an equality only the correcting one
     const std::size_t last = std::size_t(block.first + block.rows - 1);
     prepared_.rows[last].bias +=
         block.target.one_sided()

@@ -44,7 +44,8 @@ struct RowTarget {
 RowTarget without_feedback(RowTarget target);
 
 /// A RowTarget for a step of a given length: bounds of impulses, and the coefficients of soft
-/// constraints. Iterative solvers add dlambda = -mass_scale K^-1 (J V + bias) - impulse_scale lambda to the accumulated impulses.
+/// constraints. Iterative solvers add
+/// dlambda = -mass_scale K^-1 (J V + bias) - impulse_scale lambda to the accumulated impulses.
 struct StepTarget {
   real rate;           ///< factor of C in the bias [1/s]: beta/h for hard rows
   real softness;       ///< J V + bias + softness K lambda = 0 is solved [1]; 0 for hard rows

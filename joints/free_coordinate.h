@@ -218,9 +218,9 @@ class FreeCoordinate {
   }
 
  private:
-  // What is known of x. A change of settings takes `idle` to `nothing`, and expect() takes any to
-  // `turn`. A step that begins takes it to `idle` if nothing acts, to `turn` if the limits are out
-  // of reach, and else to `value`.
+  // What is known of x:   by a setting   by expect()   by a step: nothing acts, limits far, else
+  //   idle                -> nothing     -> turn       idle
+  //   nothing, turn, value               -> turn       -> idle, -> turn, -> value
   enum class Known : char {
     idle,     // nothing, and there is nothing to do until a setting changes
     nothing,  // nothing yet: limits determine the turn

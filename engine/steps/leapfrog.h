@@ -19,8 +19,8 @@ class Leapfrog : public StepMethod {
 
 /// The bodies with velocities at the time of their poses. After a step with leapfrog, velocities
 /// lag by half a step, and so do energies that are computed from them. This function lets forces
-/// and joints act for the other half, without feedback. The world is not changed, except that World::blocks are empty afterwards. Source:
-/// Andersen, "Rattle", 1983.
+/// and joints act for the other half, without feedback. The world is not changed, except that
+/// World::blocks are empty afterwards. Source: Andersen, "Rattle", 1983.
 /// \param solver a separate solver, which is not used for the steps
 /// \param warm_start whether the steps start from the impulses of the last one
 Bodies synchronised(World& world, Solver& solver, bool warm_start);

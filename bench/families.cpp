@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <numbers>
 
+#include "bench/chapters/09_direct/linkages.h"
 #include "bench/draw.h"
 #include "bench/random_chains.h"
 #include "chapters/04_slider/slider_joint.h"
-#include "chapters/09_direct/program/linkages.h"
 
 namespace joints::bench {
 

@@ -2,7 +2,7 @@
 #include "bench/own_loop.h"
 
 #include "chapters/03_hinge/hinge_joint.h"
-#include "chapters/07_performance/program/hinge_loop.h"
+#include "chapters/07_performance/hinge_loop.h"
 
 namespace joints::bench {
 

@@ -1,20 +1,20 @@
 // Which scenes the live page has. They are made elsewhere; here stands how they begin.
 #include "docs/live/scenes.h"
 
+#include "bench/chapters/06_baumgarte/between_walls.h"
+#include "bench/chapters/06_baumgarte/cube_chain.h"
+#include "bench/chapters/08_ground/bridge.h"
+#include "bench/chapters/08_ground/own_ground.h"
+#include "bench/chapters/08_ground/wheels.h"
 #include "bench/scenes.h"
 #include "chapters/01_distance/distance_joint.h"
 #include "chapters/01_distance/program/scenes.h"
 #include "chapters/03_hinge/program/door.h"
 #include "chapters/04_slider/program/piston.h"
 #include "chapters/05_fixed/program/hung_ragdoll.h"
-#include "chapters/06_baumgarte/program/between_walls.h"
 #include "chapters/06_baumgarte/program/chain_loop.h"
-#include "chapters/06_baumgarte/program/cube_chain.h"
-#include "chapters/07_performance/program/hinge_loop.h"
-#include "chapters/08_ground/program/bridge.h"
+#include "chapters/07_performance/hinge_loop.h"
 #include "chapters/08_ground/program/one_box.h"
-#include "chapters/08_ground/program/own_ground.h"
-#include "chapters/08_ground/program/wheels.h"
 #include "chapters/10_own/program/machine.h"
 
 namespace joints::live {

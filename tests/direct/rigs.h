@@ -2,10 +2,10 @@
 // velocities that a dense solve gives.
 #pragma once
 
+#include "bench/chapters/09_direct/linkages.h"
 #include "chapters/01_distance/distance_joint.h"
 #include "chapters/04_slider/slider_joint.h"
 #include "chapters/09_direct/direct_solver.h"
-#include "chapters/09_direct/program/linkages.h"
 #include "tests/oracle/rigs.h"
 
 namespace joints::testing {

@@ -1,7 +1,7 @@
-// The loop of chapter 8's program: one box on the ground, by the functions of the exercises, and
+// The loop by hand of chapter 8: one box on the ground, by the functions of the exercises, and
 // its reference in the engine.
+#include "bench/chapters/08_ground/own_ground.h"
 #include "chapters/08_ground/ground_contact.h"
-#include "chapters/08_ground/program/own_ground.h"
 #include "tests/oracle/test.h"
 
 namespace {

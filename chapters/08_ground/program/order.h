@@ -7,8 +7,6 @@
 #include "chapters/02_ball/ball_joint.h"
 #include "chapters/08_ground/program/program.h"
 
-/// \addtogroup chapter8
-/// @{
 namespace joints::chapter8 {
 
 /// The order of the blocks of joints and contacts in a step.
@@ -73,4 +71,3 @@ struct LandingChain {
 };
 
 }  // namespace joints::chapter8
-/// @}

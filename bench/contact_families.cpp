@@ -1,8 +1,8 @@
 // The families with contacts: ragdolls, piles, boxes that are dropped at any tilt.
 #include "bench/families.h"
 
+#include "bench/chapters/08_ground/ragdoll.h"
 #include "bench/draw.h"
-#include "chapters/08_ground/program/ragdoll.h"
 #include "joints/driven_joints.h"
 
 namespace joints::bench {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <numbers>
 
+#include "bench/chapters/09_direct/linkages.h"
 #include "bench/draw.h"
 #include "bench/random_chains.h"
-#include "chapters/09_direct/program/linkages.h"
 #include "joints/slider_joint.h"
 
 namespace joints::bench {

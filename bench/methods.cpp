@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "bench/random_chains.h"
+#include "bench/chapters/09_direct/linkages.h"
 #include "bench/named.h"
+#include "bench/random_chains.h"
 #include "bench/tasks.h"
-#include "chapters/09_direct/program/linkages.h"
 #include "engine/instruments/options.h"
 
 using namespace joints;

@@ -1,7 +1,7 @@
 // From the bodies and hinges of a world to chapter 7's loop and back.
 #include "bench/own_loop.h"
 
-#include "chapters/07_performance/program/hinge_loop.h"
+#include "chapters/07_performance/hinge_loop.h"
 #include "joints/hinge_joint.h"
 
 namespace joints::bench {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/chapters/08_ground/ragdoll.h"
 #include "bench/draw.h"
-#include "chapters/08_ground/program/ragdoll.h"
 
 namespace joints::bench {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "bench/chapters/08_ground/bridge.h"
+#include "bench/chapters/08_ground/ragdoll.h"
+#include "bench/chapters/09_direct/linkages.h"
 #include "bench/draw.h"
-#include "chapters/08_ground/program/bridge.h"
-#include "chapters/08_ground/program/ragdoll.h"
-#include "chapters/09_direct/program/linkages.h"
 
 namespace joints::bench {
 

@@ -9,9 +9,8 @@ SHOWN = {"split impulse": (COLOURS[3], "split impulse,\nprojection"),
          "relax": (COLOURS[4], "beta 1 + relax"), "beta 1": (COLOURS[2], "beta 1")}
 
 
-def draw_budget(solution, mine, out):
+def draw_budget(table, _, out):
     """Of projection and split impulse, which are one from 4 substeps on, the second is drawn."""
-    table = mine or solution
     gap = {name: metres(size) for name, size in zip(*(rows(table, substeps=16)[column]
                                                       for column in ("method", "gap_rms_m")))}
     figure, axes = style.figure(

@@ -75,8 +75,8 @@ def draw_pendulums(solution, mine, out):
     finish(figure, out / "06_pendulums", left, right)
 
 
-def draw_drift(solution, mine, out):
-    drift, decay = mine or solution
+def draw_drift(tables, _, out):
+    drift, decay = tables
     share = (decay["expected_m"][decay["step"] == 1] / decay["start_m"][decay["step"] == 0])[0]
     figure, (left, right) = style.figure(
         f"Uncorrected, a hinge opens by {metres(drift['gap_m'][-1])} in {drift['time_s'][-1]:g} s; "
@@ -99,8 +99,7 @@ def draw_drift(solution, mine, out):
     finish(figure, out / "06_drift", right)
 
 
-def draw_correction(solution, mine, out):
-    both = mine or solution
+def draw_correction(both, _, out):
     kept = max(table[column][table["time_s"] < 0.501][-1] / table[column][0]
                for table in both for column in ("translation_m", "rotation_rad"))
     figure, axes = style.figure("Position and rotation are corrected together: after half a second "
@@ -116,8 +115,8 @@ def draw_correction(solution, mine, out):
     style.save(figure, out / "06_correction")
 
 
-def draw_energy_and_spin(solution, mine, out):
-    energy, spin, thesis = mine or solution
+def draw_energy_and_spin(tables, _, out):
+    energy, spin, thesis = tables
     one = rows(energy, beta=min(energy["beta"], key=lambda beta: np.abs(beta - 0.15)))
     most = np.argmax(one["gap_m"])
     figure, (left, right) = style.figure(
@@ -146,8 +145,8 @@ def draw_energy_and_spin(solution, mine, out):
     finish(figure, out / "06_energy_and_spin", left, right)
 
 
-def draw_beta(solution, mine, out):
-    (_, one, _, _), *chains = parts(mine or solution, "scene")
+def draw_beta(table, _, out):
+    (_, one, _, _), *chains = parts(table, "scene")
     ends = min(one["beta"][np.abs(one["measured"]) > 0.999], default=np.inf)
     few, best = chains[0][0], np.min(np.abs(chains[0][1]["measured"]))
     figure, (left, right) = style.figure(
@@ -211,8 +210,7 @@ def draw_warm(solution, mine, out):
     finish(figure, out / "06_warm", left)
 
 
-def draw_rods(solution, mine, out):
-    table = mine or solution
+def draw_rods(table, _, out):
     peaks = [(np.max(part["peak_speed_m_s"]), name) for name, part, _, _ in parts(table, "method")]
     figure, (left, right) = style.figure(
         f"Rods too long for their place: a body reaches {max(peaks)[0]:.0f} m/s with "
@@ -229,8 +227,8 @@ def draw_rods(solution, mine, out):
     finish(figure, out / "06_rods", left, right)
 
 
-def draw_between(solution, mine, out):
-    table, rate = mine or solution
+def draw_between(tables, _, out):
+    table, rate = tables
     few = np.isin(table["method"], ("beta 0.05", "beta 0.2", "beta 1", "projection"))
     table = style.peaks({name: np.asarray(column)[few] for name, column in table.items()}, "method")
     calm = [(np.max(part["speed_m_s"][part["time_s"] > part["time_s"].max() - 1]), name)
@@ -254,8 +252,7 @@ def draw_between(solution, mine, out):
     finish(figure, out / "06_between", left)
 
 
-def draw_side_by_side(solution, mine, out):
-    table = mine or solution
+def draw_side_by_side(table, _, out):
     shown = {"projection": "projection\nalone", "beta 0.2": "beta 0.2", "beta 1": "beta 1",
              "beta 1 + 4 substeps": "beta 1,\n4 substeps",
              "beta 1 + 16 substeps": "beta 1,\n16 substeps"}
@@ -279,24 +276,24 @@ def draw_side_by_side(solution, mine, out):
     finish(figure, out / "06_side_by_side", left, right)
 
 
-def draw_rope(solution, mine, out):
+def draw_rope(table, _, out):
     ends = [f"{name} gives it {np.max(part['speed_m_s']):.2g} m/s"
-            for name, part, _, _ in parts(mine or solution, "method")]
+            for name, part, _, _ in parts(table, "method")]
     figure, (left, right) = style.figure("A ball too far out on its rope: " + ", ".join(ends), 2)
-    over_time(left, solution, mine, "length_m", "method")
-    over_time(right, solution, mine, "speed_m_s", "method")
-    left.set(ylabel="distance  [m]", title="from hook to ball" + whose(mine))
+    over_time(left, table, None, "length_m", "method")
+    over_time(right, table, None, "speed_m_s", "method")
+    left.set(ylabel="distance  [m]", title="from hook to ball")
     right.set(ylabel="speed of the ball  [m/s]", title="speed")
     finish(figure, out / "06_rope", left, right)
 
 
 def tables(folder, command):
-    def read(name, numbers, *words):
-        return style.read_csv(folder / f"{name}.csv", numbers.split(), words, command)
+    read = style.reader(folder, command)
     hanging = read("hanging", "iterations time_s sag_m", "start")
-    hanging["setting"] = [f"{start}, {count:g} iterations"
-                          for start, count in zip(hanging["start"], hanging["iterations"])]
-    hanging["size_m"] = visible(np.abs(hanging["sag_m"]))
+    if hanging:
+        hanging["setting"] = [f"{start}, {count:g} iterations"
+                              for start, count in zip(hanging["start"], hanging["iterations"])]
+        hanging["size_m"] = visible(np.abs(hanging["sag_m"]))
     return (read("pendulums", "time_s gap_m energy_change off_engine_m", "method"),
             (read("drift", "time_s gap_m predicted_m"),
              read("decay", "start_m step gap_m expected_m")),

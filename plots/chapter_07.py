@@ -28,11 +28,6 @@ def length(size):
     return f"{size:.3g} m" if size >= 1 else f"{1000 * size:.3g} mm"
 
 
-def theirs(ax, x, y):
-    """The solution's curve under yours."""
-    ax.plot(x, y, color=INK, linewidth=1, dashes=(4, 2), label="_")
-
-
 # ---- the steps of the loop ---------------------------------------------------------------------
 
 def draw_steps(solution, mine, out):
@@ -76,8 +71,7 @@ def draw_steps(solution, mine, out):
 
 # ---- the order of the joints -------------------------------------------------------------------
 
-def draw_order(solution, mine, out):
-    table = mine or solution
+def draw_order(table, _, out):
     chain = rows(table, order="chain")
     colours = rows(table, order="colours")
     low, high = style.extent(colours["gap_rms_m"] / chain["gap_rms_m"])
@@ -89,14 +83,8 @@ def draw_order(solution, mine, out):
             colour, marker = look(order)
             ax.plot(part["iterations"], 1000 * visible(part[column]), color=colour, marker=marker,
                     markersize=5, label=order, linestyle=LINES.get(order, "-"))
-        if mine:
-            for order, part in parts(solution, "order"):
-                if order != "random":
-                    theirs(ax, part["iterations"], 1000 * visible(part[column]))
         ax.set(xscale="log", yscale="log", xlabel="iterations per step", ylabel=f"{words}  [mm]",
-               title=words + (": yours; dashed: the solution's" if mine else ""))
-        if mine:
-            style.hold(ax, 1000 * mine[column], 1000 * solution[column])
+               title=words)
         ax.set_xticks(np.unique(table["iterations"]))
         ax.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
         ax.set_xticks([], minor=True)
@@ -121,8 +109,7 @@ def holds(table):
     return ~np.isin(table["status"], ("exploded", "nan", "energy+"))
 
 
-def draw_relaxation(solution, mine, out):
-    table = mine or solution
+def draw_relaxation(table, _, out):
     table["held"], most = holds(table), table["iterations"].max()
     chain = rows(table, order="chain", iterations=most)
     burst = min(chain["omega"][~chain["held"]], default=np.inf)
@@ -131,8 +118,7 @@ def draw_relaxation(solution, mine, out):
     figure, ax = style.figure(
         f"Chain order, {most:g} iterations: omega {chain['omega'][best]:g} gives a gap of "
         f"{length(gaps[best])} in place of {length(plain)}"
-        + (f"; from {burst:g} on it diverges" if np.isfinite(burst) else "")
-        + (" (yours)" if mine else ""))
+        + (f"; from {burst:g} on it diverges" if np.isfinite(burst) else ""))
     for order, of_order in parts(table, "order"):
         colour, marker = look(order)
         for count, part in parts(of_order, "iterations"):
@@ -140,11 +126,6 @@ def draw_relaxation(solution, mine, out):
             ax.plot(part["omega"], visible(gaps), color=colour, marker=marker, markersize=4.5,
                     linestyle="-" if count == most else ":", label=f"{order}, {count:g} iterations",
                     markerfacecolor=colour if count == most else "white")
-    if mine:
-        for _, of_order in parts(solution, "order"):
-            for _, part in parts(of_order, "iterations"):
-                fine = holds(part)
-                theirs(ax, part["omega"][fine], 1000 * visible(part["gap_rms_m"][fine]))
     last = table["omega"].max()
     if np.isfinite(burst):
         ax.axvspan(burst, last + 0.05, color=COLOURS[0], alpha=0.13, linewidth=0)
@@ -155,10 +136,7 @@ def draw_relaxation(solution, mine, out):
             transform=ax.get_xaxis_transform())
     ax.set(yscale="log", xlabel=r"$\omega$, factor of every impulse", ylabel="gap, RMS  [mm]",
            xlim=(table["omega"].min() - 0.03, last + 0.05),
-           title="one chain of 100 cubes" + ("; dashed: the solution's" if mine else ""))
-    if mine:
-        style.hold(ax, 1000 * mine["gap_rms_m"][holds(mine)],
-                   1000 * solution["gap_rms_m"][holds(solution)])
+           title="one chain of 100 cubes")
     style.plain_log(ax.yaxis)
     style.label_ends(ax)
     style.save(figure, out / "07_relaxation")
@@ -166,8 +144,7 @@ def draw_relaxation(solution, mine, out):
 
 # ---- inside a step -----------------------------------------------------------------------------
 
-def draw_inside(solution, mine, out):
-    table = mine or solution
+def draw_inside(table, _, out):
     last = table["iteration"].max()
 
     def end(order, omega):
@@ -182,14 +159,8 @@ def draw_inside(solution, mine, out):
         for k, (omega, part) in enumerate(parts(rows(table, order=order), "omega")):
             ax.plot(part["iteration"], visible(part["largest_e"]), color=COLOURS[(1, 2, 0)[k % 3]],
                     label=rf"$\omega$ {omega:g}")
-        if mine:
-            for _, part in parts(rows(solution, order=order), "omega"):
-                theirs(ax, part["iteration"], visible(part["largest_e"]))
         ax.set(yscale="log", xlabel="iterations of one step, after 1 s",
-               title=("chain order" if order == "chain" else "colour after colour")
-               + (": yours; dashed: the solution's" if mine else ""))
-        if mine:
-            style.hold(ax, mine["largest_e"], solution["largest_e"])
+               title="chain order" if order == "chain" else "colour after colour")
         style.plain_log(ax.yaxis)
     axes[0].set_ylabel("largest |e| of any row  [m/s]")
     for ax in axes:
@@ -199,13 +170,11 @@ def draw_inside(solution, mine, out):
 
 # ---- colours -----------------------------------------------------------------------------------
 
-def draw_colours(solution, mine, out):
-    table = mine or solution
+def draw_colours(table, _, out):
     scenes = parts(table, "scene")
     figure, grid = style.figure(
         "Colours by first fit: " + ", ".join(f"the {name} {len(np.unique(part['colour']))}"
-                                             for name, part in scenes)
-        + (" (yours)" if mine else ""), 2, width_ratios=(1.45, 1))
+                                             for name, part in scenes), 2, width_ratios=(1.45, 1))
     halves = grid[0].get_subplotspec().subgridspec(2, 1, height_ratios=(1, 1.7))
     grid[0].remove()
     axes = [figure.add_subplot(halves[0]), figure.add_subplot(halves[1]), grid[1]]
@@ -242,15 +211,14 @@ def draw_colours(solution, mine, out):
 
 # ---- iterations to an error --------------------------------------------------------------------
 
-def draw_needed(solution, mine, out):
-    table = mine or solution
+def draw_needed(table, _, out):
     said = []
     for order, part in parts(table, "order"):
         plain, best = part["iterations"][0], np.nanmin(part["iterations"])
         said.append(f"{'chain order' if order == 'chain' else order} {plain:.0f}, over-relaxed "
                     f"{best:.0f}")
     figure, ax = style.figure(f"Iterations to a gap of {length(table['gap_rms_m'][0])}: "
-                              + "; ".join(said) + (" (yours)" if mine else ""))
+                              + "; ".join(said))
     for order, part in parts(table, "order"):
         colour, marker = look(order)
         ax.plot(part["omega"], visible(part["iterations"]), color=colour, marker=marker,
@@ -258,21 +226,16 @@ def draw_needed(solution, mine, out):
         for omega, count in list(zip(part["omega"], part["iterations"]))[::2]:
             ax.annotate(f"{count:g}", (omega, count), xytext=(0, 6), textcoords="offset points",
                         ha="center", fontsize=8.5, color=colour)
-    if mine:
-        for _, part in parts(solution, "order"):
-            theirs(ax, part["omega"], visible(part["iterations"]))
     ax.set(yscale="log", xlabel=r"$\omega_{\mathrm{SOR}}$, factor of every impulse",
            ylabel="iterations per step", ylim=(7, 260), xlim=(0.95, 2),
-           title="one chain of 100 cubes, gap: RMS over the last two thirds of 5 s"
-           + ("; dashed: the solution's" if mine else ""))
+           title="one chain of 100 cubes, gap: RMS over the last two thirds of 5 s")
     style.plain_log(ax.yaxis)
     style.label_ends(ax)
     style.save(figure, out / "07_needed")
 
 
 def tables(folder, command):
-    def read(name, numbers, *words):
-        return style.read_csv(folder / f"{name}.csv", numbers.split(), words, command)
+    read = style.reader(folder, command)
     return (read("steps", "lanes iterations ns_per_hinge_and_iteration gap_rms_m off_m", "step"),
             read("order", "iterations gap_rms_m gap_max_m", "order"),
             read("relaxation", "omega iterations gap_rms_m energy_change", "order", "status"),

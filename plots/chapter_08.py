@@ -15,8 +15,7 @@ from style import COLOURS, INK, rows, visible
 ROUNDING = 1e-9  # of a displacement [m]: what is below it is drawn there
 
 
-def draw_rest(solution, mine, out):
-    table = mine or solution
+def draw_rest(table, _, out):
     few = 4 if 4 in table["iterations"] else table["iterations"].min()
     ends = [f"{metres(np.max(rows(table, start=name, iterations=few)['farthest_m']))} {name}"
             for name in dict.fromkeys(table["start"])]
@@ -25,13 +24,7 @@ def draw_rest(solution, mine, out):
     for name, part, colour, marker in parts(table, "start"):
         ax.plot(part["iterations"], np.maximum(part["farthest_m"], ROUNDING), color=colour,
                 marker=marker, markersize=5, label=name)
-    if mine:
-        for _, part, _, _ in parts(solution, "start"):
-            ax.plot(part["iterations"], np.maximum(part["farthest_m"], ROUNDING), label="_",
-                    **FORMULA)
-        style.hold(ax, mine["farthest_m"], solution["farthest_m"], 16)
-    ax.set(yscale="log", ylabel="displacement of a corner in a minute",
-           title="dashed: the solution's" if mine else "")
+    ax.set(yscale="log", ylabel="displacement of a corner in a minute")
     ax.axhspan(ROUNDING / 3, 2 * ROUNDING, color=COLOURS[2], alpha=0.15, linewidth=0)
     ax.text(0.02, 1.2 * ROUNDING, "1 nm and less: it rests", va="center", fontsize=8.5,
             transform=ax.get_yaxis_transform(), color=COLOURS[2])
@@ -42,7 +35,7 @@ def draw_rest(solution, mine, out):
 
 
 def draw_friction(solution, mine, out):
-    slide, hand = mine or solution
+    slide, hand = (mine or solution)[0], solution[1]
     fast = rows(slide, speed_m_s=np.max(slide["speed_m_s"]))
     straight = rows(fast, tangents="turned")["expected_m"]
     share = {name: 100 * (part["way_m"] / straight)[part["direction_deg"] == 45][0]
@@ -63,14 +56,9 @@ def draw_friction(solution, mine, out):
     over_time(lower, hand, None, "bound_ns", color=INK, label="bound,\nµ × normal")
     over_time(lower, hand, None, "friction_ns", color=COLOURS[0], label="friction")
     lower.lines[0].set(linewidth=1.2, linestyle=":")
-    if mine:
-        for ax, column in ((upper, "speed_m_s"), (lower, "friction_ns")):
-            ax.plot(solution[1]["time_s"], solution[1][column], label="_", **FORMULA)
-            style.hold(ax, hand[column], solution[1][column])
     upper.set(ylabel="speed  [m/s]", xlabel="", xticklabels=[],
-              title=("yours" if mine else "loop by hand")
-              + f", {metres(np.max(hand['off_engine_m']))} off the engine")
-    lower.set(ylabel="impulse  [N s]", ylim=(0, 1.2 * np.max(solution[1]["bound_ns"])))
+              title=f"loop by hand, {metres(np.max(hand['off_engine_m']))} off the engine")
+    lower.set(ylabel="impulse  [N s]", ylim=(0, 1.2 * np.max(hand["bound_ns"])))
     style.label_ends(left)
     style.label_ends(lower)
     style.save(figure, out / "08_friction")
@@ -212,8 +200,7 @@ def draw_result(solution, mine, out):
     style.save(figure, out / "08_result")
 
 
-def draw_drift(solution, mine, out):
-    table = mine or solution
+def draw_drift(table, _, out):
     ends = {name: part["gap_m"][-1] for name, part, _, _ in parts(table, "scene")}
     figure, axes = style.figure(
         f"Uncorrected, a hinge opens by {metres(ends['gravity'])} in 10 s, by "
@@ -228,48 +215,32 @@ def draw_drift(solution, mine, out):
     for ax, words in zip(axes, ("as Eq. 6-1 predicts (dashed)", "contact after the joint: more")):
         ax.set(xlabel="time  [s]", title=words)
         style.label_ends(ax)
-    axes[0].set(ylabel="gap of the hinge  [m]", ylim=(0, 1.1 * np.max(solution["gap_m"])))
+    axes[0].set(ylabel="gap of the hinge  [m]", ylim=(0, 1.1 * np.max(table["gap_m"])))
     style.save(figure, out / "08_drift")
 
 
 # ---- tables --------------------------------------------------------------------------------------
 
-def drawn(draw):
-    """The same, left out where a run of one machine only has not written its tables."""
-    def either(solution, mine, out):
-        if solution is not None:
-            draw(solution, mine, out)
-    return either
-
-
 def tables(folder, command):
-    def read(name, numbers, *words):
-        return style.read_csv(folder / f"{name}.csv", numbers.split(), words, command)
-
-    def there(*wanted):
-        missing = [name for name, *_ in wanted if not (folder / f"{name}.csv").is_file()]
-        if missing and any(folder.glob("*.csv")):
-            return None
-        found = tuple(read(*want) for want in wanted)
-        return found if len(found) > 1 else found[0]
-    return (there(("rest", "iterations farthest_m fastest_m_s", "start")),
-            there(("slide", "direction_deg speed_m_s way_m expected_m stepped_m", "tangents"),
-                  ("by_hand", "time_s way_m speed_m_s normal_ns friction_ns bound_ns "
-                   "off_engine_m")),
-            there(("tilt", "mu angle_deg way_m")),
-            there(("bounce", "restitution drop_m rebound_m expected_m"),
-                  ("bounce_path", "restitution time_s height_m")),
-            there(("order", "iterations time_s gap_m penetration_m", "order"),
-                  ("order_summary", "iterations gap_rms_m gap_max_m penetration_max_m", "order")),
-            there(("drift", "time_s gap_m predicted_m touching", "scene")),
-            there(("machines", "iterations gap_rms_m gap_max_m penetration_max_m energy_drift",
-                   "machine")),
-            there(("wheels", "time_s place_m turned_rad rolled_m motor_nm gap_m")),
-            there(("ragdoll", "time_s fastest_m_s fastest_rad_s gap_m penetration_m")),
-            there(("order", "iterations time_s gap_m penetration_m", "order")))
+    read = style.reader(folder, command)
+    return (read("rest", "iterations farthest_m fastest_m_s", "start"),
+            (read("slide", "direction_deg speed_m_s way_m expected_m stepped_m", "tangents"),
+             read("by_hand", "time_s way_m speed_m_s normal_ns friction_ns bound_ns "
+                  "off_engine_m")),
+            read("tilt", "mu angle_deg way_m"),
+            (read("bounce", "restitution drop_m rebound_m expected_m"),
+             read("bounce_path", "restitution time_s height_m")),
+            (read("order", "iterations time_s gap_m penetration_m", "order"),
+             read("order_summary", "iterations gap_rms_m gap_max_m penetration_max_m", "order")),
+            read("drift", "time_s gap_m predicted_m touching", "scene"),
+            read("machines", "iterations gap_rms_m gap_max_m penetration_max_m energy_drift",
+                 "machine"),
+            read("wheels", "time_s place_m turned_rad rolled_m motor_nm gap_m"),
+            read("ragdoll", "time_s fastest_m_s fastest_rad_s gap_m penetration_m"),
+            read("order", "iterations time_s gap_m penetration_m", "order"))
 
 
 if __name__ == "__main__":
-    style.run(lambda: style.chapter(8, tables, (*map(drawn, (
-        draw_rest, draw_friction, draw_slope, draw_bounce, draw_order, draw_drift,
-        draw_machines, draw_wheels, draw_ragdoll)), draw_result), result=draw_result))
+    style.run(lambda: style.chapter(8, tables, (
+        draw_rest, draw_friction, draw_slope, draw_bounce, draw_order, draw_drift, draw_machines,
+        draw_wheels, draw_ragdoll, draw_result), result=draw_result))

@@ -6,7 +6,7 @@ chapter_09.py --solution DIR [--mine DIR] --out DIR
 import numpy as np
 
 import style
-from chapter_06 import FORMULA, metres, over_time, parts, whose
+from chapter_06 import metres, over_time, parts, whose
 from style import COLOURS, INK, PALE, rows, visible
 
 DIRECT = COLOURS[2]
@@ -16,18 +16,13 @@ def last(table, column, **where):
     return rows(table, **where)[column][-1]
 
 
-def over(ax, solution, mine, x, y, by, words=None):
-    """y over x, a line with markers for every value of `by`; yours over the solution's dashed."""
+def over(ax, table, x, y, by, words=None):
+    """y over x, a line with markers for every value of `by`."""
     ax.set(xscale="log", yscale="log")
-    for name, part, colour, marker in parts(mine or solution, by):
+    for name, part, colour, marker in parts(table, by):
         order = np.argsort(part[x])
         ax.plot(part[x][order], visible(part[y])[order], color=colour, marker=marker, markersize=5,
                 label=(words or str)(name))
-    if mine:
-        for _, part, _, _ in parts(solution, by):
-            order = np.argsort(part[x])
-            ax.plot(part[x][order], visible(part[y])[order], label="_", **FORMULA)
-        style.hold(ax, mine[y], solution[y], 20)
 
 
 # ---- all rows at once --------------------------------------------------------------------------
@@ -75,8 +70,8 @@ def draw_result(solution, mine, out):
 
 # ---- the order of elimination ------------------------------------------------------------------
 
-def draw_order(solution, mine, out):
-    pattern, table = mine or solution
+def draw_order(tables, _, out):
+    pattern, table = tables
     costs = {name: last(table, "multiplications", graph="net", order=name)
              for name in ("shuffled", "fewest neighbours")}
     figure, axes = style.figure(
@@ -103,12 +98,7 @@ def draw_order(solution, mine, out):
         colour = (PALE, COLOURS[0], DIRECT)[n % 3]
         ax.plot(part["multiplications"], -np.arange(len(graphs)) - 0.2 * (n - 1), marker="os^"[n],
                 color=colour, linestyle="none", markersize=6, label=name)
-        if mine:
-            ax.plot(rows(solution[1], order=name)["multiplications"],
-                    -np.arange(len(graphs)) - 0.2 * (n - 1), marker="|", color=INK, markersize=12,
-                    linestyle="none", label="_")
-    ax.set(xscale="log", xlabel="multiplications",
-           title="one factor" + ("; |: the solution's" if mine else ""),
+    ax.set(xscale="log", xlabel="multiplications", title="one factor",
            ylim=(-len(graphs) - 0.35, 0.5))
     ax.set_yticks(-np.arange(len(graphs)), [
         f"{name},\n{last(table, 'joints', graph=name):g} joints" for name in graphs])
@@ -121,19 +111,16 @@ def draw_order(solution, mine, out):
 
 # ---- rows that depend on others ----------------------------------------------------------------
 
-def draw_dependent(solution, mine, out):
-    table = mine or solution
+def draw_dependent(table, _, out):
     gaps = {name: max(rows(table, method=name)["gap_m"]) for name in dict.fromkeys(table["method"])}
     figure, (left, right) = style.figure(
         f"Bricard's linkage: gaps up to {metres(gaps['softened'])} with softened rows, "
         f"{metres(gaps['neither'])} if none is softened or dropped", 2)
-    over_time(left, solution, mine, "energy", "method")
+    over_time(left, table, None, "energy", "method")
     left.set(ylabel="change of energy, over that of a fall by 1 m", ylim=(-1.5, 0.5),
-             title="energy" + whose(mine))
-    calm = style.peaks(table, "method")
+             title="energy")
     right.set_yscale("log")
-    over_time(right, style.peaks(solution, "method") if mine else calm, mine and calm, "gap_m",
-              "method", visible)
+    over_time(right, style.peaks(table, "method"), None, "gap_m", "method", visible)
     right.set(ylabel="largest gap of each 1/3 s  [m]", title="gap of the six hinges")
     style.label_ends(left)
     style.label_ends(right)
@@ -142,29 +129,25 @@ def draw_dependent(solution, mine, out):
 
 # ---- time --------------------------------------------------------------------------------------
 
-def draw_time(solution, mine, out):
-    convergence, bars, gaps, newton = mine or solution
+def draw_time(tables, _, out):
+    convergence, bars, gaps, newton = tables
     orders = {name: last(convergence, "order", step=name)
               for name in dict.fromkeys(convergence["step"])}
     figure, ((a, b), (c, d)) = style.figure(
         f"Leapfrog: order {orders['leapfrog']:.2f}, the plain step: order {orders['plain']:.2f}",
         2, 2)
-    over(a, solution[0], mine and convergence, "h_s", "error_m", "step")
-    a.set(xlabel="step h  [s]", ylabel="error after 1 s  [m]",
-          title="three slabs on hinges" + ("; dashed: the solution's" if mine else ""))
-    over_time(b, solution[1], mine and bars, "energy", "method")
+    over(a, convergence, "h_s", "error_m", "step")
+    a.set(xlabel="step h  [s]", ylabel="error after 1 s  [m]", title="three slabs on hinges")
+    over_time(b, bars, None, "energy", "method")
     b.set(ylabel="relative change of energy  [1]", title="six four-bars turn over")
-    over(c, solution[2], mine and gaps, "h_s", "gap_m", "positions",
+    over(c, gaps, "h_s", "gap_m", "positions",
          lambda name: name.replace(" ", "\n"))
     c.set(xlabel="step h  [s]", ylabel="largest gap  [m]",
           title="the slabs' hinges")
-    for table, looks in ((newton, None), (mine and solution[3], FORMULA)):
-        for n, h in enumerate(np.unique(rows(newton, scene="three slabs")["h_s"])[::-1]):
-            if table:
-                part = rows(table, scene="three slabs", h_s=h)
-                d.plot(part["iteration"], visible(part["error"]), **(looks or {
-                    "color": COLOURS[n % 6], "marker": "os^D"[n % 4], "markersize": 5}),
-                    label="_" if looks else f"h = 1/{1 / h:.0f} s")
+    for n, h in enumerate(np.unique(rows(newton, scene="three slabs")["h_s"])[::-1]):
+        part = rows(newton, scene="three slabs", h_s=h)
+        d.plot(part["iteration"], visible(part["error"]), color=COLOURS[n % 6],
+               marker="os^D"[n % 4], markersize=5, label=f"h = 1/{1 / h:.0f} s")
     d.set(yscale="log", xlabel="iteration on the positions", ylabel="largest |C|  [m or rad]",
           title="the slabs, one step")
     for ax in (a, b, c, d):
@@ -174,8 +157,8 @@ def draw_time(solution, mine, out):
 
 # ---- bounds ------------------------------------------------------------------------------------
 
-def draw_bounds(solution, mine, out):
-    motor, limits = mine or solution
+def draw_bounds(tables, _, out):
+    motor, limits = tables
     wrong = limits["steps_with_wrong"].sum()
     figure, (left, right) = style.figure(
         f"A motor of {motor['motor_nm'][-1]:.3g} N m presses the bar against its limit, "
@@ -185,11 +168,8 @@ def draw_bounds(solution, mine, out):
                                   ("limit_nm", "limit\n[N m]", COLOURS[0])):
         left.plot(motor["time_s"], motor[column], color=colour, label=words)
     left.plot(motor["time_s"], 10 * motor["angle_rad"], color=INK, label="angle\n[0.1 rad]")
-    if mine:
-        for column, factor in (("motor_nm", 1), ("limit_nm", 1), ("angle_rad", 10)):
-            left.plot(solution[0]["time_s"], factor * solution[0][column], label="_", **FORMULA)
     left.set(xlabel="time  [s]", ylabel="torque  [N m],  angle  [0.1 rad]", ylim=(-40, 30),
-             title="motor against limit" + (": yours; dashed: the solution's" if mine else ""))
+             title="motor against limit")
     hit = np.argmin(motor["limit_nm"])
     left.text(motor["time_s"][hit] - 0.05, -38,
               f"the blow:\n{motor['limit_nm'][hit]:.0f} N m", fontsize=8, color=COLOURS[0],
@@ -197,8 +177,6 @@ def draw_bounds(solution, mine, out):
     for column, words, marker, colour in (("passes_max", "most in\na step", "^", COLOURS[0]),
                                           ("passes_mean", "mean", "o", COLOURS[1])):
         right.plot(limits["hinges"], limits[column], color=colour, marker=marker, label=words)
-        if mine:
-            right.plot(solution[1]["hinges"], solution[1][column], label="_", **FORMULA)
     for x, y, wrong, steps in zip(limits["hinges"], limits["passes_max"],
                                   limits["steps_with_wrong"], limits["steps"]):
         if wrong:
@@ -219,8 +197,8 @@ def draw_bounds(solution, mine, out):
 
 # ---- a heavy end -------------------------------------------------------------------------------
 
-def draw_heavy(solution, mine, out):
-    table, energy = mine or solution
+def draw_heavy(tables, _, out):
+    table, energy = tables
     change = {factor: 100 * last(table, "energy_change_2s", factor=factor, ratio=1000.0)
               for factor in (0, 1, 8)}
     figure, (left, right) = style.figure(
@@ -229,21 +207,15 @@ def draw_heavy(solution, mine, out):
     for factor, part, colour, marker in parts(table, "factor"):
         left.plot(part["ratio"], part["energy_change_2s"], color=colour, marker=marker,
                   markersize=5, label=rf"$\kappa$ = {factor:g}")
-    if mine:
-        for _, part, _, _ in parts(solution[0], "factor"):
-            left.plot(part["ratio"], part["energy_change_2s"], label="_", **FORMULA)
     left.set(xscale="log", xlabel="end  [kg], after ten links of 1 kg",
              ylabel="relative change of energy in 2 s  [1]",
-             title="h = 1/60 s" + ("; dashed: the solution's" if mine else ""))
+             title="h = 1/60 s")
     factors = list(dict.fromkeys(table["factor"]))  # of one colour in both panels
     for factor, h in dict.fromkeys(zip(energy["factor"], energy["h_s"])):
         part, few = rows(energy, factor=factor, h_s=h), h == energy["h_s"].max()
         right.plot(part["time_s"], part["energy_change"], color=COLOURS[factors.index(factor) % 6],
                    label=rf"$\kappa$ = {factor:g}" + ("" if few else f",\nh = 1/{1 / h:.0f} s"),
                    linestyle="-" if few else ":")
-        if mine:
-            part = rows(solution[1], factor=factor, h_s=h)
-            right.plot(part["time_s"], part["energy_change"], label="_", **FORMULA)
     right.axhline(0, color=PALE, linewidth=0.8)
     right.set(xlabel="time  [s]", ylabel="relative change of energy  [1]",
               title="the cost with an end of 100 kg")
@@ -253,8 +225,7 @@ def draw_heavy(solution, mine, out):
 
 
 def tables(folder, command):
-    def read(name, numbers, *words):
-        return style.read_csv(folder / f"{name}.csv", numbers.split(), words, command)
+    read = style.reader(folder, command)
     bricard = read("bricard", "time_s gap_m energy", "method")
     return ((read("sideways", "time_s sideways_m gap_m", "method"),
              read("beam", "time_s sag_m", "method")),

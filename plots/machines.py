@@ -2,8 +2,8 @@
 import numpy as np
 
 import style
-from chapter_06 import FORMULA, metres, whose
-from style import COLOURS, INK, PALE, rows
+from chapter_06 import FORMULA, metres
+from style import COLOURS, PALE, rows
 
 LOOKS = {"cold": 0, "warm": 1, "turned": 1, "fixed": 0, "interleaved": 1, "joints first": 0,
          "contacts first": 5, "no ground": 2, "gravity": 2, "collision": 1, "contact last": 0}
@@ -33,8 +33,7 @@ def over_time(ax, solution, mine, column, by=None, clean=np.asarray, decades=3, 
     ax.set_xlabel("time  [s]")
 
 
-def draw_machines(solution, mine, out):
-    table = mine or solution
+def draw_machines(table, _, out):
     names = list(dict.fromkeys(table["machine"]))
     counts, edge = np.unique(table["iterations"]), 1e-5
     thirty = rows(table, iterations=30)
@@ -49,21 +48,19 @@ def draw_machines(solution, mine, out):
     def place(name, count):
         """A line for every machine, and on it one above the other each count of iterations."""
         own = sorted(rows(table, machine=name)["iterations"])
-        return -names.index(name) + 0.26 * ((own.index(count) if count in own else 0)
-                                            - (len(own) - 1) / 2)
+        return -names.index(name) + 0.26 * (own.index(count) - (len(own) - 1) / 2)
     for ax, column in zip(axes, ("gap_rms_m", "penetration_max_m")):
-        for given, hollow in ((table, False), (mine and solution, True)):
-            for n, count in enumerate(counts if given else ()):
-                part = rows(given, iterations=count)
-                for name, size in zip(part["machine"], part[column]):
-                    if name in names and np.isfinite(size):
-                        ax.plot(max(size, edge), place(name, count), clip_on=False,
-                                color=INK if hollow else COLOURS[n % 6], markersize=6,
-                                marker="x" if hollow else "<" if size < edge else "os^Dvp"[n % 6])
-                    if name in names and not hollow and ax is axes[1]:
-                        ax.annotate(f"{count:g} iterations", (1.03, place(name, count)),
-                                    xycoords=("axes fraction", "data"), color=COLOURS[n % 6],
-                                    fontsize=8, va="center", annotation_clip=False)
+        for n, count in enumerate(counts):
+            part = rows(table, iterations=count)
+            for name, size in zip(part["machine"], part[column]):
+                if np.isfinite(size):
+                    ax.plot(max(size, edge), place(name, count), clip_on=False,
+                            color=COLOURS[n % 6], markersize=6,
+                            marker="<" if size < edge else "os^Dvp"[n % 6])
+                if ax is axes[1]:
+                    ax.annotate(f"{count:g} iterations", (1.03, place(name, count)),
+                                xycoords=("axes fraction", "data"), color=COLOURS[n % 6],
+                                fontsize=8, va="center", annotation_clip=False)
         ax.set(xscale="log", ylim=(0.6 - len(names), 0.6), xlim=(edge, 0.2))
         style.metres_log(ax.xaxis, 1)
         ax.grid(axis="y", visible=False)
@@ -71,24 +68,20 @@ def draw_machines(solution, mine, out):
     axes[0].set_yticks([-n for n in range(len(names))], names)
     less = f"arrow: less than {metres(edge)}"
     axes[0].set(xlabel="gap of the joints, RMS",
-                title=less + ("; x: the solution's" if mine else ""))
+                title=less)
     axes[1].set(xlabel="deepest corner in the ground")
     style.save(figure, out / "08_machines")
 
 
-def draw_wheels(solution, mine, out):
-    table = mine or solution
+def draw_wheels(table, _, out):
     way, rolled = (table[column] - table[column][0] for column in ("place_m", "rolled_m"))
     slip = 100 * (np.abs(way) - np.abs(rolled))
     figure, (left, right) = style.figure(
         f"Wheels drive {np.max(np.abs(way)):.3g} m out and back on friction alone, at most "
         f"{np.max(np.abs(slip)):.0f} cm off pure rolling", 2)
     left.plot(table["time_s"], np.abs(way), color=COLOURS[1], linewidth=2)
-    if mine:
-        left.plot(solution["time_s"], np.abs(solution["place_m"] - solution["place_m"][0]),
-                  label="_", **FORMULA)
     left.set(xlabel="time  [s]", ylabel="distance from the start  [m]",
-             title="where they are" + ("; dashed: the solution's" if mine else ""))
+             title="where they are")
     right.plot(table["time_s"], slip, color=COLOURS[0], linewidth=1.2)
     right.axhline(0, color=PALE, linewidth=0.8)
     right.set(xlabel="time  [s]", ylabel="distance − turns × rolling radius  [cm]",
@@ -96,21 +89,19 @@ def draw_wheels(solution, mine, out):
     style.save(figure, out / "08_wheels")
 
 
-def draw_ragdoll(solution, mine, out):
-    table = mine or solution
+def draw_ragdoll(table, _, out):
     moving = np.flatnonzero(table["fastest_m_s"] > 0.01)
     rest = table["time_s"][moving[-1]] if len(moving) else 0
     figure, (left, right) = style.figure(
         f"The ragdoll falls at up to {np.max(table['fastest_m_s']):.2g} m/s; after {rest:.1f} s "
         "nothing moves faster than 1 cm/s", 2)
     shown = {name: column[table["time_s"] < rest + 1.5] for name, column in table.items()}
-    theirs = {name: column[solution["time_s"] < rest + 1.5] for name, column in solution.items()}
-    over_time(left, theirs, mine and shown, "fastest_m_s", color=COLOURS[1], label="_")
+    over_time(left, shown, None, "fastest_m_s", color=COLOURS[1], label="_")
     for column, colour, words in (("gap_m", COLOURS[1], "widest gap\nof a joint"),
                                   ("penetration_m", COLOURS[0], "deepest\ncorner")):
-        over_time(right, theirs, mine and shown, column, None, lambda size: 1000 * size,
-                  color=colour, label=words)
-    left.set(ylabel="fastest centre  [m/s]", title="speed" + whose(mine))
+        over_time(right, shown, None, column, None, lambda size: 1000 * size, color=colour,
+                  label=words)
+    left.set(ylabel="fastest centre  [m/s]", title="speed")
     right.set(ylabel="error  [mm]", title="joints and ground")
     style.label_ends(right)
     style.save(figure, out / "08_ragdoll")

@@ -97,6 +97,17 @@ def read_csv(path, numbers, words=(), command=""):
     return table
 
 
+def reader(folder, command):
+    """read(name, numbers, *words): a table of a chapter's run, as read_csv makes it; None where the
+    run has written others only: a reader's has no experiments of bench/."""
+    def read(name, numbers, *words):
+        path = folder / f"{name}.csv"
+        if not path.is_file() and any(folder.glob("*.csv")):
+            return None
+        return read_csv(path, numbers.split(), words, command)
+    return read
+
+
 def rows(table, **where):
     """The rows where the named columns have these values; every column becomes an array."""
     chosen = np.ones(len(next(iter(table.values()))), bool)
@@ -121,10 +132,26 @@ def chapter(number, tables, draws, result=None):
     if given.result and result not in draws:
         trouble(f"chapter {number} has no figure for its text")
     for draw, theirs, own in zip(draws, solution, mine):
-        if given.result and draw is result:
+        if incomplete(theirs):
+            if draw is result:
+                trouble(f"chapter {number}: a table is missing, of the figure for its text")
+        elif given.result and draw is result:
             draw(theirs, None, given.result)
         elif not given.result:
-            draw(theirs, own, given.out)
+            draw(theirs, completed(own, theirs), given.out)
+
+
+def incomplete(tables):
+    """True where a table of a figure is missing."""
+    return None in (tables if isinstance(tables, tuple) else (tables,))
+
+
+def completed(own, theirs):
+    """The reader's tables of a figure, those that are missing from the solution; None: all are."""
+    if not isinstance(own, tuple) or not incomplete(own):
+        return own
+    return None if own.count(None) == len(own) else tuple(
+        table or other for table, other in zip(own, theirs))
 
 
 def figure(title, panels=1, rows=1, **options):

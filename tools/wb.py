@@ -23,7 +23,8 @@ NEED_SOLUTIONS = {"tour": "./wb run 1, ./wb plot 1 and ./wb see 1 show a finishe
                   "check": "./wb test 1 tests a chapter", "grade": "./wb test 1 tests a chapter",
                   "docs": "the texts are chapters/*/README.md and docs/*.md",
                   "course": "./wb leads through the same exercises",
-                  "bench": "docs/which_method.md shows what it measured",
+                  "bench": "docs/which_method.md shows what it measured; ./wb plot and ./wb see show the "
+                           "experiments of a chapter, as they were recorded",
                   "keep": "nothing has to be kept here: it renews texts after changes of solutions",
                   "hand-out": "copy this folder: it is an edition without solutions"}
 TABLES = {"stability": "stiff, extreme and redundant scenes: which setting holds them",
@@ -218,7 +219,7 @@ def reset(args):
 
 
 @command("run 2 [...]", "the chapter's program with your code; ./wb run 2 --help lists its "
-         "options, such as --machine wheels of chapter 8", argument("chapter", help="such as 2"),
+         "options, such as --chains 16 of chapter 7", argument("chapter", help="such as 2"),
          argument("options", nargs=argparse.REMAINDER, help="the program's: ./wb run 2 --help"))
 def run(args):
     from learn import show as learn
@@ -260,10 +261,16 @@ def course(args):
          *(argument(f"--{name}", dest="table", action="append_const", const=name, help=words)
            for name, words in TABLES.items()),
          lines=[*((f"  --{name}", words) for name, words in TABLES.items()),
-                ("  --methods --help", "the options of a table, such as --scene S1")],
+                ("  --methods --help", "the options of a table, such as --scene S1"),
+                ("bench 8 [...]", "more experiments of a chapter, on the solution; ./wb bench 8 "
+                 "--help lists their options, such as --machine wheels")],
          add_help=False,
-         usage="./wb bench [--TABLE] [options of its program]")
+         usage="./wb bench [--TABLE | CHAPTER] [options of its program]")
 def bench(args, options):
+    if options and options[0].isdigit() and not args.table:
+        from bench import experiments
+        more = ["--help"] if args.help else []
+        return experiments.main(house.chapter_of(options[0]), options[1:] + more)
     tables = args.table or ["benchmark"]
     if args.help and not args.table:
         COMMANDS["bench"][0].print_help()

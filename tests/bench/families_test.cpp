@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "chapters/09_direct/program/linkages.h"
+#include "bench/chapters/09_direct/linkages.h"
 #include "tests/checker/catch.h"
 
 using namespace joints;

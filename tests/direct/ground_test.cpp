@@ -1,7 +1,7 @@
 // Joints and contacts together: contacts with friction stay outside of the matrix and take turns
 // with the joints in it, contacts without friction are inside.
-#include "chapters/08_ground/program/bridge.h"
-#include "chapters/08_ground/program/ragdoll.h"
+#include "bench/chapters/08_ground/bridge.h"
+#include "bench/chapters/08_ground/ragdoll.h"
 #include "tests/direct/rigs.h"
 #include "tests/ground/rigs.h"
 #include "tests/oracle/test.h"

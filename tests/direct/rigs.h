@@ -2,8 +2,8 @@
 // velocities that a dense solve gives.
 #pragma once
 
+#include "bench/chapters/09_direct/linkages.h"
 #include "chapters/09_direct/direct_solver.h"
-#include "chapters/09_direct/program/linkages.h"
 #include "joints/distance_joint.h"
 #include "joints/slider_joint.h"
 #include "tests/oracle/rigs.h"

@@ -1,6 +1,6 @@
-// The loop of chapter 8's program: one box on the ground, by the functions of the exercises, and
+// The loop by hand of chapter 8: one box on the ground, by the functions of the exercises, and
 // its reference in the engine.
-#include "chapters/08_ground/program/own_ground.h"
+#include "bench/chapters/08_ground/own_ground.h"
 #include "contacts/ground_contact.h"
 #include "tests/oracle/test.h"
 

@@ -1,8 +1,8 @@
 // Three machines of chapter 8 against what can be known beforehand: the parabola of a shot, the
 // shape of a hanging bridge and its load, and how strong a motor must be to curl a chain up.
-#include "chapters/08_ground/program/bridge.h"
-#include "chapters/08_ground/program/cannon.h"
-#include "chapters/08_ground/program/curl.h"
+#include "bench/chapters/08_ground/bridge.h"
+#include "bench/chapters/08_ground/cannon.h"
+#include "bench/chapters/08_ground/curl.h"
 #include "engine/instruments/rate.h"
 #include "tests/oracle/test.h"
 

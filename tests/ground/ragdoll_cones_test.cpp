@@ -1,5 +1,5 @@
 // The ragdoll of chapter 8 with cones in its shoulders and hips.
-#include "chapters/08_ground/program/ragdoll.h"
+#include "bench/chapters/08_ground/ragdoll.h"
 #include "joints/driven_joints.h"
 #include "tests/oracle/test.h"
 

@@ -1,6 +1,6 @@
 // The machines of chapter 8 on the ground: a doll that falls and lies still, wheels that roll.
-#include "chapters/08_ground/program/ragdoll.h"
-#include "chapters/08_ground/program/wheels.h"
+#include "bench/chapters/08_ground/ragdoll.h"
+#include "bench/chapters/08_ground/wheels.h"
 #include "tests/oracle/test.h"
 
 using namespace joints::chapter8;

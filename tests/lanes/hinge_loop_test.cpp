@@ -1,9 +1,9 @@
-// The loop of chapter 7's program: the engine's own solver in fewer instructions, in any order of
+// The loop of chapter 7: the engine's own solver in fewer instructions, in any order of
 // the hinges and any number of lanes, and with over-relaxation.
 #include <numeric>
 
 #include "bench/scenes.h"
-#include "chapters/07_performance/program/hinge_loop.h"
+#include "chapters/07_performance/hinge_loop.h"
 #include "tests/oracle/beside.h"
 #include "tests/oracle/test.h"
 

@@ -38,6 +38,13 @@ class Chapter:
         return ROOT / "solutions" / self.folder / f"{self.name}.cpp"
 
     @property
+    def programs(self):
+        """What writes the tables of the solution: the chapter's program, and the experiments of
+        bench/ where there are any (a student's edition has none)."""
+        more = (ROOT / "bench" / "chapters" / self.folder).is_dir()
+        return [f"{self.folder}_run"] + [f"{self.folder}_experiments"] * more
+
+    @property
     def hints(self):
         return ROOT / "chapters" / self.folder / "hints.md"
 
@@ -97,6 +104,11 @@ def chapters():
         if match := re.match(r"(\d\d)_(\w+)$", folder.name):
             found.append(Chapter(int(match[1]), folder.name, match[2]))
     return found
+
+
+def programs():
+    """Those of all chapters."""
+    return [program for chapter in chapters() for program in chapter.programs]
 
 
 def chapter_of(word):

@@ -125,7 +125,7 @@ def choice_of(args):
         choice.scripts = [one for one in SCRIPTS if (not wanted or one.topic in wanted)
                           and one.part in choice.parts]
     if args.sanitize and not args.words:
-        choice.runs = [f"{chapter.folder}_run" for chapter in house.chapters()]
+        choice.runs = house.programs()
     return choice
 
 

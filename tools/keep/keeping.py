@@ -80,7 +80,7 @@ KINDS = {"numbers": numbers, "listings": listings, "stubs": stubs, "pictures": p
 
 def build():
     """The programs whose tables are asked for."""
-    house.must_build([f"{chapter.folder}_run" for chapter in house.chapters()] + ["live_digits"])
+    house.must_build([*house.programs(), "live_digits"])
 
 
 def keep(words):

@@ -5,7 +5,7 @@ them.
 (`06/beta.csv`), of a run with options (`03 --iterations 300/curl.csv`), or of a table that is kept
 (`bench/peers.csv`). A condition is the value of the next column, or `column=value`, `column>=value`
 and so on. A selection of more than one row goes into first, last, max, min, mean, rms, count.
-`printed("limits (\\d+) of 4")` is the output of the chapter's program on the terminal.
+`printed("limits (\\d+) of 4")` is the output of the chapter's programs on the terminal.
 `live("scene=chain&t=3", "gap")` is a number of the live page at this address: gap [m], energy [J],
 or within a step error and first_error [m/s]. `exercises(3)`, `questions(3)`, `lines(3)` are how
 many of them a chapter has, `words(3)` those of its text outside its folds; `hours(3)` is what that
@@ -38,24 +38,30 @@ class Tables:
 
     @lru_cache(maxsize=None)
     def run(self, number, options):
-        """(folder of the tables, what was printed) of a chapter's program."""
+        """(folder of the tables, what was printed) of a chapter's programs; options are those of
+        the first."""
         chapter = next((c for c in house.chapters() if c.number == number), None)
-        program = chapter and self.build / f"{chapter.folder}_run"
-        if not program or not program.is_file():
+        programs = [self.build / name for name in chapter.programs] if chapter else []
+        programs = programs[:1] if options else programs
+        if not programs or not all(program.is_file() for program in programs):
             raise Wrong(f"there is no program of chapter {number}")
         folder = self.build / "numbers" / (chapter.folder + "".join(options.split()))
         printed = folder / "printed.txt"
         folder.mkdir(parents=True, exist_ok=True)
         with open(folder / "lock", "w") as lock:  # several proofs ask at once: one of them runs it
             fcntl.flock(lock, fcntl.LOCK_EX)
-            if not printed.is_file() or printed.stat().st_mtime < program.stat().st_mtime:
+            built = max(program.stat().st_mtime for program in programs)
+            if not printed.is_file() or printed.stat().st_mtime < built:
                 for old in folder.glob("*.*"):
                     old.unlink()
-                result = subprocess.run([program, *options.split(), "--out", folder],
-                                        capture_output=True, text=True)
-                if result.returncode:
-                    raise Wrong(f"{program.name} {options}: {result.stderr.strip()}")
-                printed.write_text(result.stdout, encoding="utf-8")
+                said = ""
+                for program in programs:
+                    result = subprocess.run([program, *options.split(), "--out", folder],
+                                            capture_output=True, text=True)
+                    if result.returncode:
+                        raise Wrong(f"{program.name} {options}: {result.stderr.strip()}")
+                    said += result.stdout
+                printed.write_text(said, encoding="utf-8")
         return folder, printed.read_text(encoding="utf-8")
 
     def path(self, name, chapter):

@@ -25,15 +25,23 @@ TOO_LITTLE = "the solution alone: too little of yours is written yet"
 # ---- programs ------------------------------------------------------------------------------------
 
 def run_solution(chapter, quiet=True):
-    """Runs a chapter's program on the solution; its tables go to out/solutions/NN_name."""
-    house.must_build([f"{chapter.folder}_run"], "building")
-    call_program(f"{chapter.folder}_run", SOLUTIONS / chapter.folder, [], quiet)
+    """Runs a chapter's programs on the solution; their tables go to out/solutions/NN_name."""
+    house.must_build(chapter.programs, "building")
+    call_programs(chapter.programs, SOLUTIONS / chapter.folder, [], quiet)
+
+
+def call_programs(names, folder, options, quiet):
+    """Runs programs of a chapter. Removes the files that only an earlier run wrote."""
+    before = {old: old.stat().st_mtime_ns
+              for pattern in ("*.csv", "*.motion.json") for old in folder.glob(pattern)}
+    for name in names:
+        call_program(name, folder, options, quiet)
+    for old, written in before.items():
+        if old.stat().st_mtime_ns == written:
+            old.unlink()
 
 
 def call_program(name, folder, options, quiet):
-    """Runs a program of a chapter. Removes the files that only an earlier run wrote."""
-    before = {old: old.stat().st_mtime_ns
-              for pattern in ("*.csv", "*.motion.json") for old in folder.glob(pattern)}
     result = subprocess.run([house.BUILD / name, "--out", folder, *options],
                             stdout=subprocess.PIPE if quiet else None,
                             stderr=subprocess.PIPE, text=True)
@@ -45,9 +53,6 @@ def call_program(name, folder, options, quiet):
         words = re.sub(r"exercise (\d+\.\d+) is not written yet", r"\g<0>\nNext: ./wb test \1",
                        result.stderr.strip().removeprefix("error: "))
         raise house.Trouble(words or f"{name} ended with {result.returncode}")
-    for old, written in before.items():
-        if old.stat().st_mtime_ns == written:
-            old.unlink()
 
 
 class Crash(house.Trouble):
@@ -57,7 +62,7 @@ class Crash(house.Trouble):
 def call_and_blame(chapter, written, program, folder, options, quiet):
     """Runs the reader's program; a crash is said together with the exercise it may come from."""
     try:
-        call_program(program, folder, options, quiet)
+        call_programs([program], folder, options, quiet)
     except Crash as crash:
         raise house.Trouble(f"{crash}\n{likely_cause(chapter, written, options)}")
 
@@ -181,7 +186,7 @@ def run(chapter, options):
     if written and not chapter.sealed:
         alike = house.OUT / "solutions_alike" / chapter.folder
         house.must_build([f"{chapter.folder}_run"])
-        call_program(f"{chapter.folder}_run", alike, options, True)
+        call_programs([f"{chapter.folder}_run"], alike, options, True)
         if words := far_off(folder / "summary.csv", alike / "summary.csv"):
             print(f"{bad('Far from the solution')}: {words}\n"
                   f"{likely_cause(chapter, written, options)}")
@@ -205,10 +210,11 @@ def of_name(chapter, words):
     return options + others
 
 
-def stale(folder, program):
-    """True when a program has not been run since it was last built."""
+def stale(folder, programs):
+    """True when one of these programs has not been run since it was last built."""
     summary = folder / "summary.csv"
-    return not summary.exists() or summary.stat().st_mtime < program.stat().st_mtime
+    return not summary.exists() or summary.stat().st_mtime < max(
+        (house.BUILD / program).stat().st_mtime for program in programs)
 
 
 def recorded(chapter):
@@ -230,15 +236,15 @@ def both_runs(chapter):
     written = prepare_mine(chapter)
     house.progress(f"running chapter {chapter.number}")
     if not chapter.sealed:
-        house.must_build([f"{chapter.folder}_run"])
-        if stale(solution, house.BUILD / f"{chapter.folder}_run"):
+        house.must_build(chapter.programs)
+        if stale(solution, chapter.programs):
             run_solution(chapter)
     note = mine / "options.txt"
     options = note.read_text().split() if note.exists() else []
     if written is None:
         if not (mine / "summary.csv").exists():
             return solution, None
-    elif stale(mine, house.BUILD / f"{chapter.folder}_run_mine"):
+    elif stale(mine, [f"{chapter.folder}_run_mine"]):
         call_and_blame(chapter, written, f"{chapter.folder}_run_mine", mine, options, True)
     if options and chapter.sealed:
         house.progress_done()
@@ -247,7 +253,7 @@ def both_runs(chapter):
         return mine, None
     if options:
         solution = house.OUT / "solutions_alike" / chapter.folder
-        call_program(f"{chapter.folder}_run", solution, options, True)
+        call_programs([f"{chapter.folder}_run"], solution, options, True)
         house.progress_done()
         print(f"with {' '.join(options)}, as ./wb run {chapter.number} was called last")
     house.progress_done()
@@ -287,8 +293,8 @@ def plot(chapter):
     return 0
 
 
-def make_page(chapter, solution, mine):
-    page = house.OUT / "see" / f"{chapter.folder}.html"
+def make_page(chapter, solution, mine, more=""):
+    page = house.OUT / "see" / f"{chapter.folder}{more}.html"
     page.parent.mkdir(parents=True, exist_ok=True)
     try:
         motion.write_page(page, f"Chapter {chapter.number}: {chapter.name}", solution, mine,

@@ -12,11 +12,11 @@ from bench.measuring import run_bench
 def tour():
     chapters, began = house.chapters(), time.monotonic()
     print("every chapter's program, every figure, every motion: " + cost(), flush=True)
-    house.must_build([f"{c.folder}_run" for c in chapters] + ["work_precision"], "building")
+    house.must_build([*house.programs(), "work_precision"], "building")
     with house.talking():
         for chapter in chapters:
             house.progress(f"running chapter {chapter.number}")
-            show.call_program(f"{chapter.folder}_run", show.SOLUTIONS / chapter.folder, [], True)
+            show.call_programs(chapter.programs, show.SOLUTIONS / chapter.folder, [], True)
             show.make_page(chapter, show.SOLUTIONS / chapter.folder, None)
         house.progress("error against run time, the short form")
         run_bench("work_precision", ["--quick", "1"])

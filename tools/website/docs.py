@@ -163,9 +163,9 @@ def draw_figures(chapters):
 def command():
     """./wb docs. Programs that have not run since they were built run first, for the gallery."""
     chapters = house.chapters()
-    house.must_build([f"{chapter.folder}_run" for chapter in chapters], "building")
+    house.must_build(house.programs(), "building")
     for chapter in chapters:
-        if show.stale(show.SOLUTIONS / chapter.folder, house.BUILD / f"{chapter.folder}_run"):
+        if show.stale(show.SOLUTIONS / chapter.folder, chapter.programs):
             house.progress(f"chapter {chapter.number}: running")
             show.run_solution(chapter)
     draw_figures(chapters)

@@ -24,8 +24,10 @@ HEADINGS = ("scene", "setting", "time per step [µs]", "gap, root mean square [m
 
 
 def summary(chapter):
-    """The rows of the table that a chapter's program has written."""
-    return read(show.SOLUTIONS / chapter.folder / "summary.csv")
+    """The rows of the tables that a chapter's programs have written."""
+    folder = show.SOLUTIONS / chapter.folder
+    return [row for path in (folder / "summary.csv", folder / "experiments" / "summary.csv")
+            if path.is_file() for row in read(path)]
 
 
 def figure_grid(paths):

@@ -1,5 +1,5 @@
-// Chapter 6's program. Here: four pendulums and a hanging chain, moved by the reader's own bias,
-// warm start and projection. Read it; there is nothing to edit here.
+// Chapter 6's program: four pendulums and a hanging chain, moved by your own bias, warm start and
+// projection. Read it; there is nothing to edit here.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -9,7 +9,7 @@
 #include "chapters/06_baumgarte/program/program.h"
 #include "engine/instruments/options.h"
 #include "engine/instruments/plan.h"
-#include "joints/ball_joint.h"
+#include "engine/instruments/scene.h"
 
 using namespace joints;
 using namespace joints::chapter6;
@@ -186,12 +186,6 @@ int main(int argc, char** argv) {
     pendulums(choice, lines);
     hanging(choice);
     stop_early(choice);
-    one_joint(choice, lines);
-    in_a_chain(choice);
-    many_joints(choice, lines);
-    budget(choice);
-    between_walls(choice, lines);
-    questions(choice);
     report(lines, choice.out);
   });
 }

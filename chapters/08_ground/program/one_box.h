@@ -5,8 +5,6 @@
 
 #include "chapters/08_ground/program/program.h"
 
-/// \addtogroup chapter8
-/// @{
 namespace joints::chapter8 {
 
 constexpr real degree = std::numbers::pi_v<real> / 180;  ///< [rad]
@@ -37,4 +35,3 @@ struct OneBox {
 };
 
 }  // namespace joints::chapter8
-/// @}

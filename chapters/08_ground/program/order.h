@@ -7,8 +7,6 @@
 #include "chapters/08_ground/program/program.h"
 #include "joints/ball_joint.h"
 
-/// \addtogroup chapter8
-/// @{
 namespace joints::chapter8 {
 
 /// The order of the blocks of joints and contacts in a step.
@@ -73,4 +71,3 @@ struct LandingChain {
 };
 
 }  // namespace joints::chapter8
-/// @}

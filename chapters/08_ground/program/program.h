@@ -1,4 +1,4 @@
-// Declarations common to the files of chapter 8's program. Read it; there is nothing to edit here.
+// What the scenes of chapter 8 have in common. Read it; there is nothing to edit here.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,7 @@ namespace joints::chapter8 {
 struct Choice {
   int iterations = 30;      ///< iterations per step
   real beta = real(0.2);    ///< fraction of the error fed back per step [1]
-  double seconds = 10;      ///< duration of the machines' runs [s]
-  std::string machine;      ///< one of them by name, or "all"
+  double seconds = 6;       ///< duration of the runs [s]
   std::string out;          ///< folder of tables and recordings
 };
 
@@ -48,34 +47,5 @@ inline double widest(const Scene& scene) {
   meter.look(scene.marks, poses(scene.world.bodies));
   return meter.maximum();
 }
-/// Writes a row of machines.csv, which contains the rows of all machines that ran: the gaps of the
-/// machine's joints with this number of iterations per step, and the largest penetration [m].
-void machine_row(const Choice& choice, const std::string& machine, int iterations,
-                 const Summary& line, double penetration);
-
-/// The numbers of iterations of each machine for that table: 10, 30, and the chosen one.
-inline std::vector<int> iterations_to_compare(const Choice& choice) {
-  std::vector<int> out{10, 30};
-  if (std::find(out.begin(), out.end(), choice.iterations) == out.end())
-    out.push_back(choice.iterations);
-  return out;
-}
-
-/// A box at rest, one that slides, one on a slope, balls that bounce.
-void basics(const Choice& choice, std::vector<Summary>& lines);
-/// A box that slides, by the functions of the exercises alone.
-void by_hand(const Choice& choice);
-/// Joints and contacts in one loop, or in two.
-void order(const Choice& choice, std::vector<Summary>& lines);
-/// Thesis fig. 3.2: a hinge without correction, with impacts.
-void drift(const Choice& choice, std::vector<Summary>& lines);
-/// The numbers of the chapter's questions and answers.
-void questions(const Choice& choice);
-/// The machines, one function each.
-void ragdoll(const Choice& choice, std::vector<Summary>& lines);
-void wheels(const Choice& choice, std::vector<Summary>& lines);
-void cannon(const Choice& choice, std::vector<Summary>& lines);
-void bridge(const Choice& choice, std::vector<Summary>& lines);
-void curl(const Choice& choice, std::vector<Summary>& lines);
 
 }  // namespace joints::chapter8

@@ -1,12 +1,9 @@
-// Declarations common to the parts of chapter 9's program. Read it; there is nothing to edit here.
+// What the runs of chapter 9 have in common: a method, a step of it, a recording. Read it; there is
+// nothing to edit here.
 #pragma once
 
 #include "chapters/09_direct/direct_solver.h"
-#include "chapters/09_direct/program/linkages.h"
 #include "engine/instruments/scene.h"
-
-/// \addtogroup chapter9
-/// @{
 
 /// Chapter 9's program.
 namespace joints::chapter9 {
@@ -43,10 +40,6 @@ inline double widest(const Scene& scene) {
   meter.look(scene.marks, poses(scene.world.bodies));
   return meter.maximum();
 }
-/// The present energy of the bodies [J].
-inline double energy_of(const Scene& scene) {
-  return energy(all_of(scene.world.bodies), scene.world.gravity);
-}
 
 /// One of several scenes that are recorded side by side.
 struct Shown {
@@ -55,27 +48,35 @@ struct Shown {
   std::string name;            ///< label of its first body
 };
 /// Runs scenes side by side and records them. \param apart distance between neighbours [m]
-void record(const std::string& title, const std::vector<Shown>& shown, const vec3& apart,
-            double seconds, const std::string& path);
-
-/// A chain pulled sideways, a beam: sideways.csv, beam.csv. (together.cpp)
-void together(const Choice& choice, std::vector<Summary>& lines);
-/// Fill and multiplications by the order of elimination: order.csv, pattern.csv, hub.csv.
-/// (order.cpp)
-void order(const Choice& choice);
-/// Linkages with rows that depend on others: bricard.csv, four_bars.csv. (dependent.cpp)
-void dependent(const Choice& choice, std::vector<Summary>& lines);
-/// The error over the step: convergence.csv. (time.cpp)
-void time_steps(const Choice& choice);
-/// Newton's method on the positions: newton.csv. (time.cpp)
-void newton(const Choice& choice);
-/// Motors and limits: motor.csv, limits.csv. (bounds.cpp)
-void bounds(const Choice& choice, std::vector<Summary>& lines);
-/// A chain with a heavy end: heavy.csv. (heavy.cpp)
-void heavy(const Choice& choice, std::vector<Summary>& lines);
-/// The tables of the answers to the chapter's questions: needed.csv, rings.csv, kept.csv.
-/// (questions.cpp)
-void questions(const Choice& choice);
+inline void record(const std::string& title, const std::vector<Shown>& shown,
+                   const vec3& apart, double seconds, const std::string& path) {
+  Motion motion(title, double(shown[0].scene.h));
+  int first = 0;
+  for (const Shown& one : shown) {
+    for (std::size_t k = 0; k < one.scene.shapes.size(); ++k) {
+      Shape shape = one.scene.shapes[k];
+      if (k == 0) shape.label = one.name;
+      motion.body(shape);
+    }
+    draw(motion, one.scene.marks, first);
+    first += one.scene.world.bodies.slots();
+  }
+  std::vector<Body> frame;
+  std::vector<Reading> readings;
+  for (int n = 0; n <= steps_in(seconds, shown[0].scene.h); ++n) {
+    frame.clear();
+    readings.clear();
+    for (std::size_t k = 0; k < shown.size(); ++k) {
+      if (n > 0) shown[k].step();
+      for (Body body : all_of(shown[k].scene.world.bodies)) {
+        body.x += real(k) * apart;
+        frame.push_back(body);
+      }
+      readings.push_back(reading_of(experiment_of(shown[k].scene, 0), shown[k].name));
+    }
+    motion.frame(frame.data(), readings);
+  }
+  motion.write(path);
+}
 
 }  // namespace joints::chapter9
-/// @}

@@ -10,6 +10,7 @@
 #include "engine/instruments/options.h"
 #include "engine/instruments/plan.h"
 #include "engine/instruments/scene.h"
+#include "joints/ball_joint.h"
 
 using namespace joints;
 using namespace joints::chapter6;

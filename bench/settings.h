@@ -7,7 +7,7 @@
 #include "bench/orders.h"
 #include "bench/own_loop.h"
 #include "bench/runner.h"
-#include "chapters/09_direct/runge_kutta.h"
+#include "chapters/09_direct/program/runge_kutta.h"
 #include "engine/sequential_impulses.h"
 #include "engine/step.h"
 #include "engine/simd/packed.h"

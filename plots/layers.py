@@ -2,7 +2,8 @@
 import re
 from pathlib import Path
 
-FOLDERS = ("engine", "checker", "library", "chapters", "solutions", "bench", "docs", "tests")
+FOLDERS = ("engine", "checker", "library", "chapters", "direct", "solutions", "bench", "docs",
+           "tests")
 
 
 def group_of(path):

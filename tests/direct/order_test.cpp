@@ -3,7 +3,7 @@
 #include <array>
 
 #include "bench/scenes.h"
-#include "chapters/09_direct/runge_kutta.h"
+#include "chapters/09_direct/program/runge_kutta.h"
 #include "tests/direct/rigs.h"
 #include "tests/oracle/test.h"
 

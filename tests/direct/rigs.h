@@ -4,7 +4,7 @@
 
 #include "chapters/01_distance/distance_joint.h"
 #include "chapters/04_slider/slider_joint.h"
-#include "chapters/09_direct/direct_solver.h"
+#include "direct/direct_solver.h"
 #include "chapters/09_direct/program/linkages.h"
 #include "tests/oracle/rigs.h"
 

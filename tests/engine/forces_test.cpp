@@ -2,7 +2,7 @@
 // velocities that belong to the poses.
 #include <functional>
 
-#include "chapters/09_direct/runge_kutta.h"
+#include "chapters/09_direct/program/runge_kutta.h"
 #include "engine/instruments/measure.h"
 #include "engine/reaction.h"
 #include "engine/simd/packed.h"

@@ -1,7 +1,7 @@
 // A world that is saved and restored, into itself or into another one built alike, goes on as if
 // nothing had been: to the bit, with everything a joint may keep.
 #include "chapters/08_ground/ground_contact.h"
-#include "chapters/09_direct/direct_solver.h"
+#include "direct/direct_solver.h"
 #include "engine/reaction.h"
 #include "engine/state.h"
 #include "tests/oracle/packings.h"

@@ -4,7 +4,7 @@
 #include "bench/tasks.h"
 #include "chapters/04_slider/slider_joint.h"
 #include "chapters/08_ground/ground_contact.h"
-#include "chapters/09_direct/direct_solver.h"
+#include "direct/direct_solver.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/beside.h"
 

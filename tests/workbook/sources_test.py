@@ -20,12 +20,14 @@ def may_include(path):
     """The folders from which a file may include, by its own place."""
     name = str(path)
     if name.startswith("library/"):  # packages everything
-        return lambda folder: folder.startswith(("engine", "chapters/"))
+        return lambda folder: folder.startswith(("engine", "chapters/", "direct"))
     if name.startswith(("engine/", "checker/")):
         return lambda folder: folder in ENGINE[str(path.parent)]
     chapter = re.match(r"(?:chapters|solutions)/(\d\d)_", name)
     last = int(chapter[1]) if chapter else 99
     folders = ["engine"] + [f"chapters/{n:02}_" for n in range(1, last + 1)]
+    if not chapter or ("program" in path.parts and last >= 9):
+        folders += ["direct"]
     folders += {"bench": ["bench"], "tests": ["bench", "checker", "tests", "docs"],
                 "docs": ["bench", "docs"]}.get(path.parts[0], [])
     return lambda folder: folder.startswith(tuple(folders))

@@ -134,10 +134,10 @@ def write_front():
 
 
 def sources():
-    """A digest of what is packed: chapters, engine, checker, tests of exercises and the page."""
+    """A digest of what is packed: chapters, engine, checker, direct solver, tests and the page."""
     digest = hashlib.sha256()
-    for top in (house.ROOT / "chapters", house.ROOT / "engine", house.ROOT / "checker",
-                house.ROOT / "solutions", house.ROOT / "tests", HERE):
+    for top in (*(house.ROOT / name for name in
+                  ("chapters", "engine", "checker", "direct", "solutions", "tests")), HERE):
         for path in sorted(top.rglob("*")):
             if path.suffix in (".h", ".cpp", ".js", ".css", ".md"):
                 digest.update(path.read_bytes())

@@ -1,7 +1,7 @@
 // Declarations common to the parts of chapter 9's program. Read it; there is nothing to edit here.
 #pragma once
 
-#include "chapters/09_direct/direct_solver.h"
+#include "direct/direct_solver.h"
 #include "chapters/09_direct/program/linkages.h"
 #include "engine/instruments/scene.h"
 

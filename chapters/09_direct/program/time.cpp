@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "chapters/09_direct/program/program.h"
-#include "chapters/09_direct/runge_kutta.h"
+#include "chapters/09_direct/program/runge_kutta.h"
 
 namespace joints::chapter9 {
 

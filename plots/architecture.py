@@ -16,19 +16,20 @@ from matplotlib.patches import FancyBboxPatch
 ROOT = Path(__file__).absolute().parent.parent
 
 # For each group of folders: the place of its box, and the words below its name.
-GROUPS = {"tests": (700, 340, "the proofs"),
-          "bench": (620, 278, "error and time"),
-          "live": (400, 309, "docs/live"),
-          "programs": (620, 216, "chapters/*/program"),
-          "checker": (770, 216, "parts, differences"),
-          "library": (475, 216, "joints.h, packages"),
-          "solutions": (335, 216, "the exercises"),
-          "chapters": (440, 154, "parts and joints"),
-          "simd": (400, 92, "engine/simd"),
-          "instruments": (590, 92, "measuring"),
+GROUPS = {"tests": (705, 346, "the proofs"),
+          "bench": (620, 296, "error and time"),
+          "live": (400, 332, "docs/live"),
+          "programs": (620, 246, "chapters/*/program"),
+          "checker": (770, 246, "parts, differences"),
+          "library": (475, 246, "joints.h, packages"),
+          "solutions": (335, 246, "the exercises"),
+          "direct": (455, 192, "the direct solver"),
+          "chapters": (400, 138, "parts and joints"),
+          "simd": (400, 84, "engine/simd"),
+          "instruments": (590, 84, "measuring"),
           "core": (510, 30, "engine/*: bodies, blocks, step, solvers")}
 WIDE = {"core": 290}
-HIGH = 42
+HIGH, LOW = 42, 36  # boxes of the step and of the groups
 
 
 def box(ax, place, size, name, below, colour):
@@ -59,13 +60,13 @@ def groups(ax):
     """Right: the includes between the groups."""
     words(ax, (300, 356), "includes between folders", size=12.5, weight="bold", ha="left")
     for name, (x, y, below) in GROUPS.items():
-        box(ax, (x, y), (WIDE.get(name, 128), HIGH), name, below, FAINT)
+        box(ax, (x, y), (WIDE.get(name, 128), LOW), name, below, FAINT)
     for user, used in sorted(layers.direct(layers.includes(ROOT))):
         (x1, y1, _), (x2, y2, _) = GROUPS[user], GROUPS[used]
         reach = WIDE.get(used, 128) / 2 - 14
         end = min(max(x1, x2 - reach), x2 + reach)
         start = min(max(end, x1 - 50), x1 + 50)
-        arrow(ax, (start, y1 - HIGH / 2), (end, y2 + HIGH / 2), INK, 1.3)
+        arrow(ax, (start, y1 - LOW / 2), (end, y2 + LOW / 2), INK, 1.3)
         ax.texts[-1].arrow_patch.set_gid(f"{user} includes {used}")
 
 

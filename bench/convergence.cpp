@@ -8,7 +8,7 @@
 #include "bench/next_door/conjugate_gradients.h"
 #include "bench/next_door/nonsmooth.h"
 #include "bench/named.h"
-#include "chapters/09_direct/direct_solver.h"
+#include "direct/direct_solver.h"
 #include "engine/instruments/options.h"
 
 using namespace joints;

@@ -6,11 +6,11 @@
 
 #include "bench/orders.h"
 #include "bench/own_loop.h"
+#include "bench/runge_kutta.h"
 #include "bench/runner.h"
-#include "chapters/09_direct/runge_kutta.h"
 #include "engine/sequential_impulses.h"
-#include "engine/steps/step.h"
 #include "engine/simd/packed.h"
+#include "engine/steps/step.h"
 
 /// \addtogroup bench
 /// @{

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "bench/runner.h"
-#include "chapters/09_direct/direct_solver.h"
+#include "direct/direct_solver.h"
 #include "engine/sequential_impulses.h"
 #include "engine/steps/step.h"
 

@@ -146,7 +146,6 @@ function(add_chapter chapter name)
   if(arg_GIVEN)  # of the reader's versions
     add_library(${chapter}_given OBJECT EXCLUDE_FROM_ALL ${arg_GIVEN})
     target_link_libraries(${chapter}_given PRIVATE engine ${arg_USES} workbook_strict)
-    target_compile_definitions(${chapter}_given PRIVATE JOINTS_OF_READER)
     at_once(${chapter}_given)
     set(given $<TARGET_OBJECTS:${chapter}_given>)
   endif()
@@ -155,7 +154,6 @@ function(add_chapter chapter name)
   # Only tests run it, for milliseconds, and a reader waits for its compiler.
   target_compile_options(${chapter}_mine PRIVATE $<$<CONFIG:Release>:-O1>)
   if(arg_GIVEN)  # a chapter with many headers: they are read once, and what is given is compiled
-    target_compile_definitions(${chapter}_mine PRIVATE JOINTS_OF_READER)
     target_precompile_headers(${chapter}_mine PRIVATE
       ${PROJECT_SOURCE_DIR}/chapters/${chapter}/${name}.h <set>)
   endif()

@@ -2,9 +2,16 @@
 // How to install and use it: docs/library.md.
 #pragma once
 
-#include "chapters/09_direct/runge_kutta.h"
 #include "contacts/contacts.h"
 #include "contacts/ground_contact.h"
+#include "direct/direct_solver.h"
+#include "joints/ball_joint.h"
+#include "joints/distance_joint.h"
+#include "joints/driven_joints.h"
+#include "joints/fixed_joint.h"
+#include "joints/hinge_joint.h"
+#include "joints/rack_joint.h"
+#include "joints/slider_joint.h"
 #include "engine/instruments/measure.h"
 #include "engine/instruments/rate.h"
 #include "engine/kept/reaction.h"

@@ -24,16 +24,17 @@ GROUPS = {"tests": (720, 436, "the proofs"),
           "library": (440, 280, "joints.h, packages"),
           "joints": (472, 228, "what a user adds"),
           "contacts": (612, 228, "ground, points"),
+          "direct": (752, 228, "the direct solver"),
           "solutions": (335, 228, "the exercises"),
           "chapters": (480, 176, "texts and parts"),
           "instruments": (640, 176, "measuring"),
-          "checker": (780, 176, "parts, differences"),
+          "checker": (790, 124, "parts, differences"),
           "steps": (560, 124, "other ways to step"),
           "kept": (620, 72, "saving, reactions"),
           "simd": (420, 72, "engine/simd"),
           "core": (510, 24, "engine/*: bodies, blocks, step, solvers")}
 WIDE = {"core": 290}
-HIGH = 34
+HIGH, LOW = 42, 34  # boxes of the step and of the groups
 
 
 def box(ax, place, size, name, below, colour):
@@ -64,13 +65,13 @@ def groups(ax):
     """Right: the includes between the groups."""
     words(ax, (300, 440), "includes between folders", size=12.5, weight="bold", ha="left")
     for name, (x, y, below) in GROUPS.items():
-        box(ax, (x, y), (WIDE.get(name, 128), HIGH), name, below, FAINT)
+        box(ax, (x, y), (WIDE.get(name, 128), LOW), name, below, FAINT)
     for user, used in sorted(layers.direct(layers.includes(ROOT))):
         (x1, y1, _), (x2, y2, _) = GROUPS[user], GROUPS[used]
         reach = WIDE.get(used, 128) / 2 - 14
         end = min(max(x1, x2 - reach), x2 + reach)
         start = min(max(end, x1 - 50), x1 + 50)
-        arrow(ax, (start, y1 - HIGH / 2), (end, y2 + HIGH / 2), INK, 1.3)
+        arrow(ax, (start, y1 - LOW / 2), (end, y2 + LOW / 2), INK, 1.3)
         ax.texts[-1].arrow_patch.set_gid(f"{user} includes {used}")
 
 

@@ -8,34 +8,24 @@
 /// @{
 namespace joints {
 
-/// Factors a symmetric n x n block as D = L d L^T (Eq. 9-7), in place in its lower triangle. After
-/// it, L is below the diagonal (the diagonal of L is 1), and inverse(d, original) is on it.
-template <class Number, class PivotInverse>
-void factor_block(Number* D, int n, const Number* original, PivotInverse inverse);
+/// Factors a symmetric n x n block as D = l d l^T (Eq. 9-7), in place in its lower triangle. After
+/// it, l is below the diagonal (the diagonal of l is 1), and inverse(d, original) is on it.
+void factor_block(double* D, int n, const double* original, PivotInverse inverse);
 
 /// x = D^-1 x, with the factor of the n x n block D.
-template <class Number>
-void divide(const Number* D, int n, Number* x);
+void divide(const double* D, int n, double* x);
 
 /// B = A D^-1 for m x n numbers A, with the factor of the n x n block D.
-template <class Number>
-void divide_rows(const Number* A, int m, const Number* D, int n, Number* B);
+void divide_rows(const double* A, int m, const double* D, int n, double* B);
 
 /// C -= A B^T, of m x n numbers A and p x n numbers B.
-template <class Number>
-void subtract_product(const Number* A, int m, const Number* B, int p, int n, Number* C);
+void subtract_product(const double* A, int m, const double* B, int p, int n, double* C);
 
 /// y -= A x, of m x n numbers A.
-template <class Number>
-void subtract_times(const Number* A, int m, int n, const Number* x, Number* y);
+void subtract_times(const double* A, int m, int n, const double* x, double* y);
 
 /// y -= A^T x, of m x n numbers A.
-template <class Number>
-void subtract_transposed_times(const Number* A, int m, int n, const Number* x, Number* y);
+void subtract_transposed_times(const double* A, int m, int n, const double* x, double* y);
 
 }  // namespace joints
 /// @}
-
-#ifndef JOINTS_OF_READER  // a reader waits for the compiler: joint_matrix.cpp has them compiled
-#include "chapters/09_direct/block_kernels_inline.h"
-#endif

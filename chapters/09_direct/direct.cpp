@@ -13,9 +13,8 @@ namespace joints {
 
 // ---- the matrix of the joints -------------------------------------------------------------------
 
-template <class Number>
-void add_coupling(const HalfRowOf<Number>* J, int n, const HalfRowOf<Number>* other, int m,
-                  const InverseMassOf<Number>& mass, Number* A) {
+void add_coupling(const HalfRow* J, int n, const HalfRow* other, int m, const InverseMass& mass,
+                  double* A) {
   // begin [exercise 9.1]
   // Add the contribution of one common body to the coupling of two blocks: by how much does the
   // rate of each row of the first block change if one unit impulse acts along a row of the second?
@@ -23,9 +22,8 @@ void add_coupling(const HalfRowOf<Number>* J, int n, const HalfRowOf<Number>* ot
   // end [exercise 9.1]
 }
 
-template <class Number>
-void factor(JointMatrixOf<Number>& A, PivotInverse inverse) {
-  Number* const number = A.numbers.data();
+void factor(JointMatrix& A, PivotInverse inverse) {
+  double* const number = A.numbers.data();
   const int* target = A.targets.data();
   // begin [exercise 9.2]
   // Factor A = L D L^T in place, Eq. 9-4. The kernels are in block_kernels.h; L has up to 6 x 6
@@ -35,24 +33,13 @@ void factor(JointMatrixOf<Number>& A, PivotInverse inverse) {
   // end [exercise 9.2]
 }
 
-template <class Number>
-void solve(const JointMatrixOf<Number>& A, Number* x) {
-  const Number* const number = A.numbers.data();
+void solve(const JointMatrix& A, double* x) {
+  const double* const number = A.numbers.data();
   // begin [exercise 9.2]
   // Solve A x = b with the factor, Eq. 9-5; x holds b at first. The kernels are in block_kernels.h.
   todo("9.2");
   // end [exercise 9.2]
 }
-
-// For both kinds of numbers.
-template void add_coupling(const HalfRow*, int, const HalfRow*, int, const InverseMassOf<double>&,
-                           double*);
-template void add_coupling(const HalfRowOf<TwoLanes>*, int, const HalfRowOf<TwoLanes>*, int,
-                           const InverseMassOf<TwoLanes>&, TwoLanes*);
-template void factor(JointMatrix&, PivotInverse);
-template void factor(JointMatrixOf<TwoLanes>&, PivotInverse);
-template void solve(const JointMatrix&, double*);
-template void solve(const JointMatrixOf<TwoLanes>&, TwoLanes*);
 
 std::vector<int> elimination_order(std::vector<std::vector<int>> neighbours) {
   std::vector<int> order;

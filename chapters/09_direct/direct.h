@@ -2,10 +2,8 @@
 // There is nothing to edit here.
 #pragma once
 
-#include <functional>
 #include <vector>
 
-#include "engine/simd/triple.h"
 #include "engine/steps/step.h"
 
 /// \defgroup chapter9 Chapter 9: the direct solver
@@ -16,24 +14,16 @@ namespace joints {
 
 // ---- the matrix of the joints -------------------------------------------------------------------
 
-/// Two numbers on two SIMD lanes, each from a different island: + - * act lane by lane.
-typedef double TwoLanes __attribute__((vector_size(2 * sizeof(double))));
-
-/// The half of a row that belongs to one body: the factors of its velocities. Number is double or
-/// TwoLanes.
-template <class Number>
-struct HalfRowOf {
-  Triple<Number> v;  ///< linear
-  Triple<Number> w;  ///< angular
+/// The half of a row that belongs to one body: the factors of its velocities.
+struct HalfRow {
+  glm::dvec3 v;  ///< linear
+  glm::dvec3 w;  ///< angular
 };
-/// A half-row of type double.
-using HalfRow = HalfRowOf<double>;
 
 /// What a body opposes to impulses; zeros for a static body.
-template <class Number>
-struct InverseMassOf {
-  Number linear{};              ///< inverse mass [1/kg]
-  Symmetric<Number> angular{};  ///< inverse inertia [1/(kg m^2)], world axes
+struct InverseMass {
+  double linear = 0;        ///< inverse mass [1/kg]
+  glm::dmat3 angular{0.0};  ///< inverse inertia [1/(kg m^2)], world axes
 };
 
 #ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
@@ -42,9 +32,8 @@ struct InverseMassOf {
 /// \param J the half-rows of the first block at the common body, n of them
 /// \param other the half-rows of the second block at that body, m of them
 /// \param mass of that body \param A n x m numbers, row by row
-template <class Number>
-void add_coupling(const HalfRowOf<Number>* J, int n, const HalfRowOf<Number>* other, int m,
-                  const InverseMassOf<Number>& mass, Number* A);
+void add_coupling(const HalfRow* J, int n, const HalfRow* other, int m, const InverseMass& mass,
+                  double* A);
 #endif
 
 /// A block of rows as a node of the joint graph, in the order of elimination.
@@ -61,20 +50,16 @@ struct Edge {
   int at;  ///< where its numbers begin: rows of the neighbour x rows of the node, row by row
 };
 
-/// A = J M^-1 J^T of all joints. It is symmetric, and zero wherever two blocks have no moving body
-/// in common. Stored are the diagonal blocks, the nonzero blocks below them, and the blocks that
-/// elimination fills in. Number is double, or TwoLanes for two islands with the same pattern. The
-/// blocks are given by Eq. 9-2, their elimination by Eq. 9-4.
-template <class Number>
-struct JointMatrixOf {
-  std::vector<Node> nodes;        ///< in the order of elimination, and one more after the last
-  std::vector<Edge> edges;        ///< of all nodes; those of a node in the order of elimination
-  std::vector<int> targets;       ///< where elimination subtracts its products, in sequence
-  std::vector<Number> numbers;    ///< of all blocks
-  std::vector<Number> original;   ///< the original diagonal; that of a node begins at node.row
+/// A = J M^-1 J^T of all joints (Eq. 9-2, eliminated by Eq. 9-4). It is symmetric, and zero wherever
+/// two blocks have no moving body in common. Stored are the diagonal blocks, the nonzero blocks
+/// below them, and the blocks that elimination fills in.
+struct JointMatrix {
+  std::vector<Node> nodes;       ///< in the order of elimination, and one more after the last
+  std::vector<Edge> edges;       ///< of all nodes; those of a node in the order of elimination
+  std::vector<int> targets;      ///< where elimination subtracts its products, in sequence
+  std::vector<double> numbers;   ///< of all blocks
+  std::vector<double> original;  ///< the original diagonal; that of a node begins at node.row
 };
-/// A matrix of type double.
-using JointMatrix = JointMatrixOf<double>;
 
 /// Returns 1 / pivot, or 0. \param original the diagonal entry before any elimination
 using PivotInverse = double (*)(double pivot, double original);
@@ -82,12 +67,10 @@ using PivotInverse = double (*)(double pivot, double original);
 #ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 /// Exercise 9.2, first half: factors A = L D L^T in place, node after node, Eq. 9-4. After it, each
 /// diagonal block contains its own factor (factor_block), and each edge contains its block of L.
-template <class Number>
-void factor(JointMatrixOf<Number>& A, PivotInverse inverse);
+void factor(JointMatrix& A, PivotInverse inverse);
 
 /// Exercise 9.2, second half: solves A x = b with the factor, Eq. 9-5. \param x b, then x
-template <class Number>
-void solve(const JointMatrixOf<Number>& A, Number* x);
+void solve(const JointMatrix& A, double* x);
 
 /// Exercise 9.3: an order of elimination with little fill-in, such as that of the rule: the next
 /// node is always one with the fewest remaining neighbours.

@@ -1,8 +1,7 @@
-// How the blocks of an island are eliminated: their order, fill-in and closed loops, which depend
-// only on the bodies that the blocks connect. Given, there is nothing to edit here.
+// The order in which the blocks of a system are eliminated, and the fill-in, which depend only on
+// the bodies that the blocks connect. Given, there is nothing to edit here.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <tuple>
 #include <vector>
@@ -11,33 +10,10 @@
 /// @{
 namespace joints {
 
-/// Makes a vector a copy of another one, with as much room.
-template <class Number>
-void copy_with_room(const std::vector<Number>& from, std::vector<Number>& to) {
-  to.reserve(from.capacity());
-  to.assign(from.begin(), from.end());
-}
-/// Makes a vector of zeros, with room for more than that if it has to grow.
-template <class Number>
-void zeros(std::vector<Number>& list, std::size_t count) {
-  list.resize(count);
-  std::fill(list.begin(), list.end(), Number{});
-}
-
-/// The bodies and joints of a closed loop.
-struct ClosedLoop {
-  int bodies = 0;     ///< number of its moving bodies
-  int rows = 0;       ///< number of the rows of its joints, without bounded rows
-  bool held = false;  ///< whether one of its joints is attached to a static body
-  /// Its degrees of freedom in the present pose, without those of the loop as a whole.
-  /// \param dependent number of its rows that depend on others
-  int motions(int dependent) const { return 6 * (bodies - !held) - rows + dependent; }
-};
-
-/// A block of an island's shape: a joint, not an optional row beside it.
+/// A block of a system's shape: a joint, not an optional row beside it.
 struct ShapeBlock {
   int link = 0;                  ///< blocks between the same two bodies form a link
-  std::array<int, 2> columns{};  ///< its bodies, numbered within the island
+  std::array<int, 2> columns{};  ///< its bodies, numbered within the system
   std::array<bool, 2> moves{};   ///< whether they can move
   int rows = 0;                  ///< number of its rows without bounds
   bool operator==(const ShapeBlock&) const = default;  ///< all members are equal
@@ -47,7 +23,7 @@ struct ShapeBlock {
   }
 };
 
-/// How an island with a given shape is eliminated. Optional rows beside a joint change nothing of
+/// How a system with a given shape is eliminated. Optional rows beside a joint change nothing of
 /// it: they couple the same two bodies.
 struct EliminationPlan {
   std::vector<int> links;        ///< in the order of elimination
@@ -56,10 +32,8 @@ struct EliminationPlan {
   std::vector<std::vector<int>> later;
   int rows = 0;                  ///< of the shape, without bounds
   double multiplications = 0;    ///< of their factorisation, about (Eq. 9-6)
-  std::vector<int> loop;         ///< of each block of the shape the closed loop, or -1
-  std::vector<ClosedLoop> loops;  ///< all closed loops of the shape
 
-  /// Plans the elimination of a shape. \param shape its blocks
+  /// Plans the elimination of a shape. \param shape its blocks, by links
   explicit EliminationPlan(const std::vector<ShapeBlock>& shape);
 };
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "chapters/09_direct/direct_solver.h"
+#include "direct/direct_solver.h"
 #include "docs/live/scenes.h"
 
 /// \addtogroup live

@@ -13,37 +13,35 @@ namespace joints {
 
 // ---- the matrix of the joints -------------------------------------------------------------------
 
-template <class Number>
-void add_coupling(const HalfRowOf<Number>* J, int n, const HalfRowOf<Number>* other, int m,
-                  const InverseMassOf<Number>& mass, Number* A) {
+void add_coupling(const HalfRow* J, int n, const HalfRow* other, int m, const InverseMass& mass,
+                  double* A) {
   // begin [exercise 9.1]
   // Add the contribution of one common body to the coupling of two blocks: by how much does the
   // rate of each row of the first block change if one unit impulse acts along a row of the second?
   for (int j = 0; j < m; ++j) {
-    const HalfRowOf<Number> response{mass.linear * other[j].v, mass.angular * other[j].w};
+    const HalfRow response{mass.linear * other[j].v, mass.angular * other[j].w};
     for (int i = 0; i < n; ++i)
       A[i * m + j] += dot(J[i].v, response.v) + dot(J[i].w, response.w);  // Eq. 9-2
   }
   // end [exercise 9.1]
 }
 
-template <class Number>
-void factor(JointMatrixOf<Number>& A, PivotInverse inverse) {
-  Number* const number = A.numbers.data();
+void factor(JointMatrix& A, PivotInverse inverse) {
+  double* const number = A.numbers.data();
   const int* target = A.targets.data();
   // begin [exercise 9.2]
   // Factor A = L D L^T in place, Eq. 9-4. The kernels are in block_kernels.h; L has up to 6 x 6
   // numbers. A.targets lists where products are subtracted: node after node, edge j after edge j of
   // a node, one product for every edge i from j on.
-  Number L[36];
+  double L[36];
   for (std::size_t k = 0; k + 1 < A.nodes.size(); ++k) {
     const Node& node = A.nodes[k];
     const int n = node.rows, end = A.nodes[k + 1].first_edge;
-    Number* const D = number + node.diagonal;
+    double* const D = number + node.diagonal;
     factor_block(D, n, &A.original[std::size_t(node.row)], inverse);
     for (int j = node.first_edge; j < end; ++j) {
       const int m = A.nodes[std::size_t(A.edges[j].to)].rows;
-      Number* const block = number + A.edges[j].at;
+      double* const block = number + A.edges[j].at;
       divide_rows(block, m, D, n, L);
       for (int i = j; i < end; ++i)
         subtract_product(number + A.edges[i].at, A.nodes[A.edges[i].to].rows, L, m, n,
@@ -54,9 +52,8 @@ void factor(JointMatrixOf<Number>& A, PivotInverse inverse) {
   // end [exercise 9.2]
 }
 
-template <class Number>
-void solve(const JointMatrixOf<Number>& A, Number* x) {
-  const Number* const number = A.numbers.data();
+void solve(const JointMatrix& A, double* x) {
+  const double* const number = A.numbers.data();
   // begin [exercise 9.2]
   // Solve A x = b with the factor, Eq. 9-5; x holds b at first. The kernels are in block_kernels.h.
   const int count = int(A.nodes.size()) - 1;
@@ -78,16 +75,6 @@ void solve(const JointMatrixOf<Number>& A, Number* x) {
   }
   // end [exercise 9.2]
 }
-
-// For both kinds of numbers.
-template void add_coupling(const HalfRow*, int, const HalfRow*, int, const InverseMassOf<double>&,
-                           double*);
-template void add_coupling(const HalfRowOf<TwoLanes>*, int, const HalfRowOf<TwoLanes>*, int,
-                           const InverseMassOf<TwoLanes>&, TwoLanes*);
-template void factor(JointMatrix&, PivotInverse);
-template void factor(JointMatrixOf<TwoLanes>&, PivotInverse);
-template void solve(const JointMatrix&, double*);
-template void solve(const JointMatrixOf<TwoLanes>&, TwoLanes*);
 
 std::vector<int> elimination_order(std::vector<std::vector<int>> neighbours) {
   std::vector<int> order;

@@ -11,7 +11,7 @@ struct CouplingCase {
   std::string words;
   int n, m;
   std::vector<HalfRow> J, other;  ///< seven each: behind the block's own stand another's
-  InverseMassOf<double> mass;
+  InverseMass mass;
   Numbers before;                 ///< n x m
   /// M^-1 J^T of one row of the second block.
   HalfRow response(int j) const {
@@ -33,7 +33,7 @@ inline std::vector<HalfRow> with_next(std::vector<HalfRow> own) {
 inline std::vector<CouplingCase> coupling_cases() {
   const vec3 x(1, 0, 0), none(0);
   std::vector<CouplingCase> out;
-  InverseMassOf<double> mass{1, {1, 1, 1, 0, 0, 0}};
+  InverseMass mass{1, glm::dmat3(1)};
   const auto add = [&](const std::string& words, std::vector<HalfRow> J,
                        std::vector<HalfRow> other, Numbers before) {
     const int n = int(J.size()), m = int(other.size());
@@ -49,8 +49,9 @@ inline std::vector<CouplingCase> coupling_cases() {
     for (int i = 0; i < n; ++i) J.push_back(half_row(random.vector(2), random.vector(1)));
     for (int j = 0; j < m; ++j) other.push_back(half_row(random.vector(1), random.vector(3)));
     const auto number = [&](real from, real to) { return double(random.uniform(from, to)); };
-    mass = {number(real(0.2), 3), {number(1, 2), number(2, 3), number(3, 4), number(-1, 1),
-                                   number(-1, 1), number(-1, 1)}};
+    const double linear = number(real(0.2), 3), xx = number(1, 2), yy = number(2, 3),
+                 zz = number(3, 4), xy = number(-1, 1), xz = number(-1, 1), yz = number(-1, 1);
+    mass = {linear, glm::dmat3(xx, xy, xz, xy, yy, yz, xz, yz, zz)};
     Numbers before;
     for (int k = 0; k < n * m; ++k) before.push_back(double(random.uniform(-2, 2)));
     add("blocks of " + std::to_string(n) + " and " + std::to_string(m) + " rows", J, other,
@@ -167,8 +168,8 @@ inline CaseTable<CouplingCase> coupling_table() {
       return right(c);
     };
   };
-  using Mass = InverseMassOf<double>;
-  const Symmetric<double> one{1, 1, 1, 0, 0, 0};
+  using Mass = InverseMass;
+  const glm::dmat3 one(1);
   table.mistakes = {
       {"#masses-missing J with J: an impulse is no velocity. How much do v and w of a body of this "
        "mass and inertia change?",
@@ -183,16 +184,15 @@ inline CaseTable<CouplingCase> coupling_table() {
        masses([](Mass& mass) { mass.linear *= mass.linear; })},
       {"#mass-turns the inverse mass in the place of the inverse inertia: turning is opposed "
        "by the inertia",
-       masses([](Mass& m) { m.angular = {m.linear, m.linear, m.linear, 0, 0, 0}; })},
+       masses([](Mass& m) { m.angular = glm::dmat3(m.linear); })},
       {"#mass-at-both the inverse mass multiplies the angular part as well: it belongs to v alone",
-       masses([](Mass& mass) {
-         for (double* a : {&mass.angular.xx, &mass.angular.yy, &mass.angular.zz, &mass.angular.xy,
-                           &mass.angular.xz, &mass.angular.yz})
-           *a *= mass.linear;
-       })},
+       masses([](Mass& mass) { mass.angular *= mass.linear; })},
       {"#inertia-diagonal only the diagonal of the inverse inertia: mass.angular * other[j].w has "
        "all of it",
-       masses([](Mass& m) { m.angular.xy = m.angular.xz = m.angular.yz = 0; })},
+       masses([](Mass& m) {
+         const glm::dmat3 I = m.angular;
+         m.angular = {I[0][0], 0, 0, 0, I[1][1], 0, 0, 0, I[2][2]};
+       })},
       {set, place([](const Case& c, double* A, int i, int j, double a) { A[i * c.m + j] = a; })},
       {"#minus-the-product the sign: the product is added",
        product([=](const HalfRow& a, const HalfRow& b) { return -both(a, b); })},

@@ -37,7 +37,7 @@ double plain_inverse(double pivot, double) { return 1 / pivot; }
 
 // A of the blocks of a world's last step, which are one island.
 struct Assembled {
-  IslandPair pair;
+  JointSystem system;
 
   explicit Assembled(const World& world) {
     JointIslands islands;
@@ -45,30 +45,27 @@ struct Assembled {
     for (const Block& block : world.blocks.list)
       islands.given.push_back({{block.body1, block.body2},
                                {moves(block.body1), moves(block.body2)},
-                               block.rows, false, block.form});
+                               block.rows, false});
     islands.group(true, world.bodies.slots(), 1e9);
-    pair = islands.pairs.at(0);
-    pair.prepare(world.blocks, nullptr, sixtieth);
-    for (int column = 0; column < int(pair.bodies.size()); ++column)
-      pair.set_mass(column, 0, world.bodies.at(pair.bodies[std::size_t(column)][0]));
-    pair.assemble();
-    for (const Node& node : pair.A.nodes)
-      for (int i = 0; i < node.rows; ++i) {
-        pair.A.original[std::size_t(node.row + i)] =
-            pair.A.numbers[std::size_t(node.diagonal + i * (node.rows + 1))];
-      }
+    system = islands.list.at(0).system;
+    system.prepare(world.blocks, nullptr, sixtieth);
+    for (int column = 0; column < int(system.bodies.size()); ++column)
+      system.set_mass(column, world.bodies.at(system.bodies[std::size_t(column)]));
+    system.assemble();
+    for (const SystemBlock& block : system.blocks)
+      for (int i = 0; i < block.rows; ++i)
+        system.A.original[std::size_t(system.row_of(block) + i)] = system.diagonal(block, i);
   }
   // The largest multiplier that a right-hand side of any numbers up to 1 gives.
   double largest_multiplier(PivotInverse inverse) const {
-    JointMatrixOf<TwoLanes> A = pair.A;
+    JointMatrix A = system.A;
     factor(A, inverse);
-    std::vector<TwoLanes> x(A.original.size());
+    std::vector<double> x(A.original.size());
     Random random(911);
-    for (TwoLanes& entry : x) entry[0] = double(random.uniform(-1, 1));
+    for (double& entry : x) entry = double(random.uniform(-1, 1));
     solve(A, x.data());
     double out = 0;
-    for (const TwoLanes& a : x)
-      out = std::isfinite(a[0]) ? std::max(out, std::abs(a[0])) : INFINITY;
+    for (const double a : x) out = std::isfinite(a) ? std::max(out, std::abs(a)) : INFINITY;
     return out;
   }
 };

@@ -2,8 +2,8 @@
 // method on the poses, and the Runge-Kutta method that the others are compared with.
 #include <array>
 
+#include "bench/runge_kutta.h"
 #include "bench/scenes.h"
-#include "chapters/09_direct/runge_kutta.h"
 #include "tests/direct/rigs.h"
 #include "tests/oracle/test.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bench/chapters/09_direct/linkages.h"
-#include "chapters/09_direct/direct_solver.h"
+#include "direct/direct_solver.h"
 #include "joints/distance_joint.h"
 #include "joints/slider_joint.h"
 #include "tests/oracle/rigs.h"

@@ -1,6 +1,6 @@
 // The Runge-Kutta method outside chains: hubs and nets, springs, forces that depend on the state,
 // and the forces of joints.
-#include "chapters/09_direct/runge_kutta.h"
+#include "bench/runge_kutta.h"
 #include "engine/instruments/measure.h"
 #include "engine/kept/reaction.h"
 #include "engine/kept/state.h"

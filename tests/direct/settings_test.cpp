@@ -1,6 +1,6 @@
 // When the direct solver leaves a world to iterations, worlds with nothing to solve, and input that
 // the solver and the Runge-Kutta method reject.
-#include "chapters/09_direct/runge_kutta.h"
+#include "bench/runge_kutta.h"
 #include "tests/direct/rigs.h"
 #include "tests/oracle/test.h"
 

@@ -2,11 +2,11 @@
 // velocities that belong to the poses.
 #include <functional>
 
-#include "chapters/09_direct/runge_kutta.h"
+#include "bench/runge_kutta.h"
 #include "engine/instruments/measure.h"
 #include "engine/kept/reaction.h"
-#include "engine/simd/packed.h"
 #include "engine/kept/state.h"
+#include "engine/simd/packed.h"
 #include "engine/steps/leapfrog.h"
 #include "tests/oracle/test.h"
 

@@ -1,6 +1,6 @@
 // Two ways to correct positions whose velocities are taken back: relax iterations after the bodies
 // have moved, and a split impulse.
-#include "chapters/09_direct/direct_solver.h"
+#include "direct/direct_solver.h"
 #include "engine/kept/reaction.h"
 #include "tests/oracle/test.h"
 #include "tests/oracle/track.h"

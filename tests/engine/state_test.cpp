@@ -1,7 +1,7 @@
 // A world that is saved and restored, into itself or into another one built alike, goes on as if
 // nothing had been: to the bit, with everything a joint may keep.
-#include "chapters/09_direct/direct_solver.h"
 #include "contacts/ground_contact.h"
+#include "direct/direct_solver.h"
 #include "engine/kept/reaction.h"
 #include "engine/kept/state.h"
 #include "tests/oracle/packings.h"

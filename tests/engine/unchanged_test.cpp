@@ -2,8 +2,8 @@
 // the world as it was, bit by bit, and an overflow is reported and stays in its place.
 #include <functional>
 
-#include "chapters/09_direct/direct_solver.h"
-#include "chapters/09_direct/runge_kutta.h"
+#include "bench/runge_kutta.h"
+#include "direct/direct_solver.h"
 #include "engine/kept/input.h"
 #include "engine/simd/packed.h"
 #include "tests/oracle/picture.h"

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <functional>
 
-#include "chapters/09_direct/direct_solver.h"
-#include "chapters/09_direct/runge_kutta.h"
+#include "bench/runge_kutta.h"
+#include "direct/direct_solver.h"
 #include "engine/simd/packed.h"
 #include "tests/fuzz/numbers.h"
 #include "tests/oracle/picture.h"

@@ -1,8 +1,8 @@
 // Sliders and welds outside the scenes of their chapters: which results depend on the anchor and
 // which do not, few iterations, limits on a rail that spins, moments that are not equal.
-#include "chapters/09_direct/direct_solver.h"
-#include "engine/kept/input.h"
+#include "direct/direct_solver.h"
 #include "engine/instruments/measure.h"
+#include "engine/kept/input.h"
 #include "joints/part_joint.h"
 #include "tests/oracle/test.h"
 

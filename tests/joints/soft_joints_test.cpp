@@ -1,6 +1,6 @@
 // Joints with a frequency and a damping ratio in place of beta: oscillators whose motion is known.
-#include "chapters/09_direct/direct_solver.h"
 #include "contacts/ground_contact.h"
+#include "direct/direct_solver.h"
 #include "engine/simd/packed.h"
 #include "tests/oracle/test.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "chapters/09_direct/direct_solver.h"
+#include "direct/direct_solver.h"
 #include "checker/numeric.h"
 #include "engine/simd/packed.h"
 

@@ -5,7 +5,7 @@ import sys
 from proofs import main, programs_that_carry
 
 SYMBOLS = re.compile(
-    r"joints::(?:DirectSolver|JointIslands|IslandPair|RungeKutta|elimination_order)\b")
+    r"joints::(?:DirectSolver|JointIslands|JointSystem|elimination_order)\b")
 CHAPTER = 9  # where all that is found
 
 

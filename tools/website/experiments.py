@@ -30,7 +30,7 @@ CODE = {
                      "for (const auto& joint : world.joints()) {", 4)),
     "substeps": (("engine/steps/step.cpp", "const real h_sub = h / real(how.substeps);", 5),),
     "direct": (("chapters/09_direct/active_set.cpp", "if (!factored) {", 6),),
-    "newton": (("chapters/09_direct/positions.cpp", "move_onto_constraints(bodies_, "
+    "newton": (("direct/positions.cpp", "move_onto_constraints(bodies_, "
                 "double(h_), newton, 0, *this, own_.start);", 1),)}
 
 

@@ -33,7 +33,8 @@ def sources():
               "simd/lane_order", "simd/places",
               "instruments/measure", "instruments/rate", "instruments/scene")
     return {"engine": [root / "engine" / f"{name}.cpp" for name in engine],
-            "given": [path for path in sorted((root / "chapters").glob("*/*.cpp"))
+            "given": [path for path in (*sorted((root / "chapters").glob("*/*.cpp")),
+                                        *sorted((root / "direct").glob("*.cpp")))
                       if path not in mine],
             "bench": [root / "bench" / "scenes.cpp"],
             **{path.stem: [path] for path in sorted((root / "docs" / "live").glob("*.cpp"))},

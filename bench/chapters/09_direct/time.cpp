@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "bench/chapters/09_direct/experiments.h"
-#include "chapters/09_direct/runge_kutta.h"
+#include "bench/runge_kutta.h"
 
 namespace joints::chapter9 {
 

@@ -2,7 +2,7 @@
 // nothing to edit here.
 #pragma once
 
-#include "chapters/09_direct/direct_solver.h"
+#include "direct/direct_solver.h"
 #include "engine/instruments/scene.h"
 
 /// Chapter 9's program.

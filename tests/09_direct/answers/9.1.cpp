@@ -1,13 +1,12 @@
 // wrong masses-missing: mass.linear * ==> ;; mass.angular * ==>
 // wrong mass-missing: mass.linear * ==>
 // wrong inertia-missing: mass.angular * ==>
-// wrong mass-inverted: mass.linear * other[j].v ==> Triple<Number>{other[j].v.x / mass.linear,
-//         other[j].v.y / mass.linear, other[j].v.z / mass.linear}
+// wrong mass-inverted: mass.linear * other[j].v ==> other[j].v / mass.linear
 // wrong mass-squared: mass.linear * ==> mass.linear * mass.linear *
 // wrong mass-turns: mass.angular ==> mass.linear
 // wrong mass-at-both: dot(J[i].w ==> mass.linear * dot(J[i].w
-// wrong inertia-diagonal: mass.angular * other[j].w ==> Triple<Number>{mass.angular.xx *
-//         other[j].w.x, mass.angular.yy * other[j].w.y, mass.angular.zz * other[j].w.z}
+// wrong inertia-diagonal: mass.angular * other[j].w ==> glm::dvec3{mass.angular[0][0]
+//         * other[j].w.x, mass.angular[1][1] * other[j].w.y, mass.angular[2][2] * other[j].w.z}
 // wrong angular-x-y-alone: dot(J[i].w, response.w) ==> J[i].w.x * response.w.x + J[i].w.y *
 //         response.w.y
 // wrong rows-stop: i < n ==> i < n && i < 5
@@ -27,8 +26,8 @@
 // wrong v-twice: dot(J[i].w, response.w) ==> dot(J[i].v, response.v)
 // wrong linear-angular-multiplied: + dot ==> * dot
 // wrong angular-part-subtracted: + dot ==> - dot
-// wrong rows-columns-blocks-exchanged: const HalfRowOf<Number> response{mass.linear * other[j].v,
-//         mass.angular * other[j].w}; ==> ;; A[ ==> { const HalfRowOf<Number> response{mass.linear
+// wrong rows-columns-blocks-exchanged: const HalfRow response{mass.linear * other[j].v,
+//         mass.angular * other[j].w}; ==> ;; A[ ==> { const HalfRow response{mass.linear
 //         * other[i].v, mass.angular * other[i].w}; A[ ;; J[i] ==> J[j] ;; J[i] ==> J[j] ;;
 //         response.w); ==> response.w); }
 // wrong j-with-j: other ==> J ;; mass.linear * ==> ;; mass.angular * ==> ;; other ==> J
@@ -47,7 +46,7 @@
 // wrong one-column-too-many: j < m ==> j <= m
 // wrong begins-with-1: int j = 0 ==> int j = 1
 // wrong sum-goes-on:
-  Number sum{};
+  double sum{};
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < m; ++j) {
       sum += mass.linear * dot(J[i].v, other[j].v) + dot(J[i].w, mass.angular * other[j].w);
@@ -64,12 +63,12 @@
     for (int j = 0; j < m; ++j)
       *A++ += mass.linear * dot(other[j].v, J[i].v) + dot(mass.angular * J[i].w, other[j].w);
 // right all responses first:
-  HalfRowOf<Number> response[6];
+  HalfRow response[6];
   for (int j = 0; j < m; ++j)
     response[j] = {mass.linear * other[j].v, mass.angular * other[j].w};
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < m; ++j) {
-      Number sum = A[i * m + j];
+      double sum = A[i * m + j];
       sum = sum + dot(J[i].w, response[j].w);
       sum += dot(J[i].v, response[j].v);
       A[i * m + j] = sum;

@@ -1,9 +1,9 @@
 // wrong block-transposed: std::copy(L, L + m * n, block); ==> for (int a = 0; a < m; ++a) for (int
 //         b = 0; b < n; ++b) block[b * m + a] = L[a * n + b];
-// wrong block-transposed: for (int i = j; i < end; ++i) ==> Number T[36]; for (int a = 0; a < m;
+// wrong block-transposed: for (int i = j; i < end; ++i) ==> double T[36]; for (int a = 0; a < m;
 //         ++a) for (int b = 0; b < n; ++b) T[b * m + a] = L[a * n + b]; for (int i = j; i < end;
 //         ++i) ;; rows, L, ==> rows, T,
-// wrong block-transposed: divide_rows(block, ==> Number T[36]; for (int a = 0; a < m; ++a) for (int
+// wrong block-transposed: divide_rows(block, ==> double T[36]; for (int a = 0; a < m; ++a) for (int
 //         b = 0; b < n; ++b) T[b * m + a] = block[a * n + b]; divide_rows(T,
 // wrong never-set: std::copy(L, L + m * n, block) ==> std::copy(L, L + m * m, block)
 // wrong drawn-stops: k + 1 < A.nodes.size() ==> k + 1 < A.nodes.size() && k < 16
@@ -56,12 +56,12 @@
   for (std::size_t k = 0; k + 1 < A.nodes.size(); ++k) {
     const Node& node = A.nodes[k];
     const int n = node.rows, end = A.nodes[k + 1].first_edge;
-    Number* const D = number + node.diagonal;
+    double* const D = number + node.diagonal;
     factor_block(D, n, &A.original[std::size_t(node.row)], inverse);
-    std::vector<std::vector<Number>> L(std::size_t(end - node.first_edge));
+    std::vector<std::vector<double>> L(std::size_t(end - node.first_edge));
     for (int j = node.first_edge; j < end; ++j) {
       const int m = A.nodes[std::size_t(A.edges[j].to)].rows;
-      std::vector<Number>& own = L[std::size_t(j - node.first_edge)];
+      std::vector<double>& own = L[std::size_t(j - node.first_edge)];
       own.resize(std::size_t(m * n));
       divide_rows(number + A.edges[j].at, m, D, n, own.data());
       for (int i = j; i < end; ++i)
@@ -69,7 +69,7 @@
                          number + *target++);
     }
     for (int j = node.first_edge; j < end; ++j) {
-      const std::vector<Number>& own = L[std::size_t(j - node.first_edge)];
+      const std::vector<double>& own = L[std::size_t(j - node.first_edge)];
       std::copy(own.begin(), own.end(), number + A.edges[j].at);
     }
   }

@@ -1,5 +1,5 @@
 // The move of all islands: by Newton's method, with the factor of the step.
-#include "chapters/09_direct/positions.h"
+#include "direct/positions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,15 +19,16 @@ double Positions::largest(std::span<const double> C) {
 
 void Positions::choose(int from, int end) {
   from_ = from, end_ = end;
-  base_ = from < end ? islands_.islands()[from].first_row : 0;
+  base_ = from < end ? islands_.list[from].first_row : 0;
 }
 
 void Positions::move(int newton, double tolerance) {
   own_.report = {};
   own_.errors_met.clear();
-  const int count = int(islands_.islands().size());
-  for (IslandPair& pair : islands_.pairs) pair.keep_impulses();
-  copy_with_room(expected_, own_.expected);
+  const int count = int(islands_.list.size());
+  own_.impulses.resize(std::size_t(count));
+  for (int k = 0; k < count; ++k) own_.impulses[k] = islands_.list[k].system.impulse;
+  own_.expected = expected_;
   own_.moved.assign(std::size_t(bodies_.slots()), false);
   own_.tries.assign(std::size_t(count), {});
   for (int k = 0; k < count; ++k) {
@@ -56,7 +57,7 @@ std::vector<double>& Positions::errors() {
   double& met = own_.errors_met.emplace_back(0);
   for (std::size_t k = 0; k < own_.tries.size(); ++k) {
     Memory::Try& now = own_.tries[k];
-    const std::span C(&own_.C[islands_.islands()[k].first_row], islands_.islands()[k].rows);
+    const std::span C(&own_.C[islands_.list[k].first_row], std::size_t(islands_.list[k].rows));
     const double error = largest(C);
     met = std::max(met, error);
     now.exact = now.exact || (now.moving && error <= now.most);
@@ -71,32 +72,24 @@ void Positions::change_rates(std::vector<double>& rates) {
   ++own_.report.corrections;
   Correction* const all = expected_.data() + base_;
   for (std::size_t r = 0; r < rates.size(); ++r) all[r].next += real(rates[r]);
-  for (int k = from_; k < end_; ++k) {
-    IslandPair* const pair = islands_.pair_of(k);
-    if (!pair || (pair->islands[1] == k && pair->islands[0] >= from_)) continue;  // done before
-    if (!moving(pair->islands[0]) && !moving(pair->islands[1])) continue;
-    std::fill(pair->x.begin(), pair->x.end(), TwoLanes{});
-    for (const int lane : {0, 1}) {
-      if (!moving(pair->islands[lane])) continue;
-      for (const LaneBlock& block : pair->blocks) {
-        TwoLanes* const x = &pair->x[pair->row_of(block)];
-        const double* const from = rates.data() + block.row[lane] - base_;
-        for (int i = 0; i < block.own[lane]; ++i) x[i][lane] = from[i];
-      }
-    }
-    pair->load(bodies_);
-    pair->change();
-    pair->store(bodies_);
-  }
+  for_islands([&](Island& island, int k) {
+    if (!moving(k)) return;
+    JointSystem& system = island.system;
+    for (const SystemBlock& block : system.blocks)
+      std::copy_n(rates.data() + block.row - base_, block.rows, &system.x[system.row_of(block)]);
+    system.load(bodies_);
+    system.change();
+    system.store(bodies_);
+  });
 }
 
 void Positions::begin(double tolerance) {
   Memory::Try& now = own_.tries[from_];
   now.exact = true;  // unless this solver solves it
   real size = 0;  // errors that are only rounding errors need not be corrected
-  for_islands([&](IslandPair& pair, int) {
+  for_islands([&](Island& island, int) {
     now.moving = true, now.exact = false;
-    if (!pair.factored) pair.factor_now();  // sides were still wrong
+    if (!island.system.factored) island.system.factor_now();  // sides were still wrong
   });
   for_bodies([&](Body& body, int) {
     const vec3 x = abs(body.x);
@@ -111,25 +104,22 @@ void Positions::begin(double tolerance) {
 void Positions::find_corrected() {
   own_.corrected.reserve(islands_.given.capacity());
   zeros(own_.corrected, list_.size());
-  for_islands([&](IslandPair& pair, int lane) {
-    for (int k = 0; k < int(pair.blocks.size()); ++k) {
-      const int block = pair.blocks[k].block[lane];
-      if (block < 0 || pair.is_spring(k, lane)) continue;
+  for_islands([&](Island& island, int) {
+    const JointSystem& system = island.system;
+    for (std::size_t k = 0; k < system.blocks.size(); ++k) {
+      const int block = system.blocks[k].block;
       const RowTarget& target = list_[block].target;
-      if (!target.holds_position) continue;
-      const TwoLanes* const original = &pair.A.original[pair.row_of(pair.blocks[k])];
-      const int rows = list_[block].rows - (target.rate != 0);
-      for (int i = 0; i < rows; ++i)
-        if (original[i][lane] != 0) own_.corrected[block] |= 1 << i;
+      if (system.is_spring(int(k)) || !target.holds_position) continue;
+      const double* const original = &system.A.original[system.row_of(system.blocks[k])];
+      for (int i = 0; i < list_[block].rows - (target.rate != 0); ++i)
+        if (original[i] != 0) own_.corrected[block] |= 1 << i;
     }
   });
 }
 
 void Positions::mark_moving(bool mark) {
-  for_islands([&](IslandPair& pair, int lane) {
-    if (!moving(pair.islands[lane])) return;
-    for (std::size_t k = 0; k < pair.bodies.size(); ++k)
-      if (pair.moves[k]) own_.moved[pair.bodies[k][lane]] = mark;
+  for_islands([&](Island& island, int k) {
+    if (moving(k)) island.for_moving([&](int slot) { own_.moved[slot] = mark; });
   });
 }
 
@@ -168,11 +158,12 @@ void Positions::evaluate(bool rows) {
     }
     if (++k == list_.size()) k = 0;
   }
-  for_bounded([&](BoundedRow& bound, const LaneBlock& at) {
-    double& C = own_.C[at.row[bound.lane] + at.rows - 1 - base_];
-    const RowTarget& target = list_[at.block[bound.lane]].target;
-    const bool exceeded = C < 0 && target.one_sided();
-    if (bound.side != Side::free && !(rows && exceeded)) C = 0;
+  for_islands([&](Island& island, int) {
+    for (const BoundedRow& bound : island.system.bounded) {
+      double& C = C_of(island, bound);
+      const bool one_sided = list_[island.system.blocks[bound.block].block].target.one_sided();
+      if (bound.side != Side::free && !(rows && C < 0 && one_sided)) C = 0;
+    }
   });
 }
 
@@ -180,10 +171,9 @@ void Positions::evaluate(bool rows) {
 // ones are expected again: those of rows that depend on others would grow without bound; and
 // beside bounded rows too, which hold still or change sides.
 void Positions::expect() {
-  for_islands([&](IslandPair& pair, int lane) {
-    if (!pair.plan->loops.empty() || !pair.bounded.empty()) return;
-    const JointIslands::Island& own = islands_.islands()[pair.islands[lane]];
-    for (auto& [last, next] : std::span(expected_).subspan(own.first_row, own.rows)) {
+  for_islands([&](Island& island, int) {
+    if (!island.plan->list.empty() || !island.system.bounded.empty()) return;
+    for (auto& [last, next] : std::span(expected_).subspan(island.first_row, island.rows)) {
       const real now = next;
       if (last != 0) next += now - last;
       last = now;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "chapters/09_direct/positions.h"
+#include "direct/positions.h"
 
 namespace joints {
 
@@ -38,11 +38,15 @@ void Positions::move_bodies() {
 }
 
 void Positions::keep_best() {
-  for_islands([&](IslandPair& pair, int lane) { pair.keep(bodies_, lane); });
+  own_.best.clear();
+  for_bodies([&](Body& body, int) { own_.best.push_back(body); });
+  own_.best_impulses = islands_.list[from_].system.impulse;
 }
 
 void Positions::back_to_best() {
-  for_islands([&](IslandPair& pair, int lane) { pair.go_back(bodies_, lane); });
+  auto best = own_.best.begin();
+  for_bodies([&](Body& body, int) { body.v = best->v, body.w = best->w, ++best; });
+  islands_.list[from_].system.impulse = own_.best_impulses;
 }
 
 double Positions::next_error() { return own_.errors_met.emplace_back(largest(own_.C)); }
@@ -61,14 +65,14 @@ double Positions::twice_kinetic() {
 bool Positions::move_alone() {
   Memory::Try& now = own_.tries[from_];
   const auto expected = expected_.begin() + base_, stored = own_.expected.begin() + base_;
-  const int rows = islands_.islands()[from_].rows;
+  const int rows = islands_.list[from_].rows;
   now.moving = true;
   zeros(own_.C, std::size_t(rows));
   to_start();
   for_bodies([&](Body& body, int slot) {
     body.v = own_.start[slot].v, body.w = own_.start[slot].w;
   });
-  for_islands([](IslandPair& pair, int lane) { pair.restore_impulses(lane); });
+  islands_.list[from_].system.impulse = own_.impulses[from_];
   keep_best();
   std::copy_n(stored, rows, expected);
   const double least = move_by_secants(now.most);
@@ -93,7 +97,7 @@ bool Positions::move_alone() {
 bool Positions::opened(double most) {
   evaluate(false);
   double before = most / small_fraction;
-  const JointIslands::Island& own = islands_.islands()[from_];
+  const Island& own = islands_.list[from_];
   for (int n = own.first; n < own.end; ++n) {
     const int k = islands_.order()[n], row = islands_.at(k).row - base_;
     for (int i = 0; i < list_[k].rows; ++i)
@@ -108,11 +112,9 @@ bool Positions::opened(double most) {
 // would have to change its side.
 double Positions::move_by_secants(double most) {
   const double kinetic = twice_kinetic();
-  double least = IslandPair::infinite, first = 0;
-  bool bounded = false;
-  for_bounded([&](BoundedRow&, const LaneBlock&) { bounded = true; });
-  if (bounded) return least;
-  own_.secants.clear(std::size_t(islands_.islands()[from_].rows), most_corrections);
+  double least = JointSystem::infinite, first = 0;
+  if (!islands_.list[from_].system.bounded.empty()) return least;
+  own_.secants.clear(std::size_t(islands_.list[from_].rows), most_corrections);
   for (int n = 0;; ++n) {
     const bool gains = twice_kinetic() > (1 + most_gain) * kinetic;
     move_bodies();
@@ -134,9 +136,9 @@ double Positions::move_by_secants(double most) {
 // and rotates the bodies there. A correction that makes the errors larger is halved. If the errors
 // do not vanish, the best velocities are kept.
 bool Positions::project(double most) {
-  IslandPair& pair = *islands_.pair_of(from_);
-  const int lane = islands_.islands()[from_].lane;
-  double last = IslandPair::infinite, fraction = 1;
+  Island& island = islands_.list[from_];
+  JointSystem& system = island.system;
+  double last = JointSystem::infinite, fraction = 1;
   bool closed = false;
   keep_best();
   for (int n = 0; n < most_corrections; ++n) {
@@ -149,21 +151,20 @@ bool Positions::project(double most) {
     if (now < last) {
       last = now, fraction = 1;
       keep_best();
-      copy_with_room(own_.C, own_.last_C);
-      for_bounded([&](BoundedRow& bound, const LaneBlock& at) {  // a limit that is exceeded here
-        if (own_.C[at.row[bound.lane] + at.rows - 1 - base_] != 0) bound.side = Side::free;
-      });
+      own_.last_C = own_.C;
+      for (BoundedRow& bound : system.bounded)
+        if (C_of(island, bound) != 0) bound.side = Side::free;  // a limit that is exceeded here
       for (std::size_t k = 0; k < own_.met.size(); ++k)
         if (own_.met[k] >= 0)
-          pair.set_rows(islands_.at(own_.met[k]).block, lane,
-                        &own_.poses.J[own_.poses.list[k].first]);
-      inertia_.set_masses(pair, bodies_, lane);
-      pair.factor_now();
+          system.set_rows(system.blocks[islands_.at(own_.met[k]).block],
+                          &own_.poses.J[own_.poses.list[k].first]);
+      inertia_.set_masses(island, bodies_);
+      system.factor_now();
     } else {
       fraction /= 2;
       back_to_best();
     }
-    copy_with_room(own_.last_C, own_.rates);
+    own_.rates = own_.last_C;
     for (double& rate : own_.rates) rate *= -fraction / double(h_);
     own_.spins.clear();
     for_bodies([&](Body& body, int) { own_.spins.push_back(body.w); });
@@ -174,7 +175,7 @@ bool Positions::project(double most) {
       ++spin;
     });
   }
-  pair.factored = false;  // not that of the step
+  system.factored = false;  // not that of the step
   if (closed) return true;
   back_to_best();
   to_start();

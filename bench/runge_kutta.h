@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "chapters/09_direct/direct_solver.h"
+#include "direct/direct_solver.h"
 
 /// \addtogroup chapter9
 /// @{

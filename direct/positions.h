@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "chapters/09_direct/added_inertia.h"
-#include "chapters/09_direct/secants.h"
+#include "direct/added_inertia.h"
+#include "direct/secants.h"
 #include "engine/solver.h"
 
 /// \addtogroup chapter9
@@ -41,7 +41,7 @@ class Positions : public Corrector {
     friend Positions;
     struct Try {  // the corrections of an island
       double most = 0;                     // the largest error that need not be corrected
-      double last = IslandPair::infinite;  // the last error
+      double last = JointSystem::infinite;  // the last error
       bool moving = false;                 // its corrections go on
       bool exact = false;                  // its errors are at most `most`
     };
@@ -53,6 +53,9 @@ class Positions : public Corrector {
     std::vector<vec3> spins;               // angular velocities before a correction
     std::vector<Correction> expected;      // SolverMemory::corrections at the beginning
     std::vector<bool> moved;               // for each slot
+    std::vector<std::vector<double>> impulses;  // of each island at the beginning
+    std::vector<Body> best;                // of the island: velocities to which it may go back
+    std::vector<double> best_impulses;     // and impulses
     Secants secants;
   };
 
@@ -94,27 +97,24 @@ class Positions : public Corrector {
   bool moving(int island) const {
     return island >= from_ && island < end_ && own_.tries[island].moving;
   }
-  // Calls f(pair, lane) for all chosen islands that have a pair.
+  // Calls f(island, its number) for all chosen islands that have a matrix.
   template <class F>
   void for_islands(const F& f) {
     for (int k = from_; k < end_; ++k)
-      if (IslandPair* const pair = islands_.pair_of(k)) f(*pair, islands_.islands()[k].lane);
+      if (!islands_.list[k].left) f(islands_.list[k], k);
   }
   // Calls f(body, slot).
   template <class F>
   void for_bodies(const F& f) {
-    for_islands([&](IslandPair& pair, int lane) {
-      for (std::size_t k = 0; k < pair.bodies.size(); ++k)
-        if (pair.moves[k]) f(bodies_.at(pair.bodies[k][lane]), pair.bodies[k][lane]);
+    for_islands([&](Island& island, int) {
+      island.for_moving([&](int slot) { f(bodies_.at(slot), slot); });
     });
   }
-  // Calls f(bounded row, its block).
-  template <class F>
-  void for_bounded(const F& f) {
-    for_islands([&](IslandPair& pair, int lane) {
-      for (BoundedRow& bound : pair.bounded)
-        if (bound.lane == lane) f(bound, pair.blocks[bound.block]);
-    });
+
+  // The error of a bounded row of a chosen island.
+  double& C_of(const Island& island, const BoundedRow& bound) {
+    const SystemBlock& block = island.system.blocks[bound.block];
+    return own_.C[block.row + block.rows - 1 - base_];
   }
 
   Memory& own_;

@@ -1,5 +1,5 @@
 // Added inertia: which forces pull at a body, and what the step has to add for them.
-#include "chapters/09_direct/added_inertia.h"
+#include "direct/added_inertia.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,9 +52,10 @@ void AddedInertia::find(real acted, const Blocks& blocks, JointIslands& islands,
                         std::vector<Pulled>& of) {
   if (acted == 0) return;  // there was no step yet
   for (const int k : islands.order()) {
-    const auto& [island, number, row] = islands.at(k);
-    const IslandPair* const pair = islands.pair_of(island);
-    if (!pair || pair->is_tight(number, islands.islands()[island].lane)) continue;
+    const Island& island = islands.list[islands.at(k).island];
+    if (island.left) continue;
+    const int loop = island.system.blocks[islands.at(k).block].loop;
+    if (loop >= 0 && island.plan->list[loop].motions(island.dependent[loop]) <= 1) continue;
     const Block& block = blocks.list[k];
     vec3 F(0);
     real square1 = 0, square2 = 0;
@@ -71,19 +72,35 @@ void AddedInertia::find(real acted, const Blocks& blocks, JointIslands& islands,
   }
 }
 
-void AddedInertia::set_masses(IslandPair& pair, const Bodies& bodies, int only_lane) const {
-  for (int column = 0; column < int(pair.bodies.size()); ++column)
-    for (const int lane : {0, 1}) {
-      const int slot = pair.bodies[column][lane];
-      if (slot < 0 || !pair.moves[column] || lane == 1 - only_lane) continue;
-      if (adds(slot)) {
-        Body slow = bodies.at(slot);
-        slow.inverse_inertia_local = now_[slot].slowed.inverse_inertia_local;
-        pair.set_mass(column, lane, slow);
-      } else {
-        pair.set_mass(column, lane, bodies.at(slot));
-      }
-    }
+// Only if the number of rows does not decide this, a factor of A is computed to find the dependent
+// rows.
+void AddedInertia::find_tight_loops(Island& island) const {
+  JointSystem& system = island.system;
+  const std::vector<ClosedLoop>& loops = island.plan->list;
+  island.dependent.assign(loops.size(), 0);
+  if (std::none_of(loops.begin(), loops.end(),
+                   [](const ClosedLoop& loop) { return loop.motions(0) <= 1; }))
+    return;
+  system.assemble();
+  for (const BoundedRow& row : system.bounded)
+    system.diagonal_of(row) = JointSystem::infinite;
+  system.note_diagonal();
+  factor(system.A, inverse_pivot);
+  system.factored = false;
+  for (const SystemBlock& block : system.blocks)
+    if (block.loop >= 0) island.dependent[block.loop] += system.rows_below(0, block);
+  for (const BoundedRow& row : system.bounded)
+    if (const int loop = system.blocks[row.block].loop; loop >= 0) --island.dependent[loop];
+}
+
+void AddedInertia::set_masses(Island& island, const Bodies& bodies) const {
+  for (std::size_t column = 0; column < island.system.bodies.size(); ++column) {
+    if (!island.system.moves[column]) continue;
+    const int slot = island.system.bodies[column];
+    Body body = bodies.at(slot);
+    if (adds(slot)) body.inverse_inertia_local = now_[slot].slowed.inverse_inertia_local;
+    island.system.set_mass(int(column), body);
+  }
 }
 
 void AddedInertia::set_inertia(Bodies& bodies) const {

@@ -1,7 +1,7 @@
 // The direct solver: finds the impulses of all joints at once. Given, there is nothing to edit.
 #pragma once
 
-#include "chapters/09_direct/positions.h"
+#include "direct/positions.h"
 #include "engine/steps/two_pass_impulses.h"
 
 /// \addtogroup chapter9
@@ -12,8 +12,7 @@ namespace joints {
 /// and the positions are corrected with one factor. Bounds are satisfied by an active-set method.
 /// Rows whose bound depends on another impulse (friction), and the rows of these impulses, stay
 /// outside A: iterations over them alternate with a solve of all others. The solver always
-/// calculates in double. It solves each island by itself, and two islands with the same shape side
-/// by side on lanes (JointIslands). Give every joint beta = 1. Source: Baraff 1996 for the idea;
+/// calculates in double. It solves each island by itself (JointIslands). Give every joint beta = 1. Source: Baraff 1996 for the idea;
 /// Davis 2006 for sparse factors; Judice and Pires 1994, and Stark and Parker 1995, for the passes
 /// of the active set.
 class DirectSolver : public Solver {

@@ -1,5 +1,5 @@
 // A half-explicit Runge-Kutta method: five slopes, their mean, and a projection.
-#include "chapters/09_direct/runge_kutta.h"
+#include "bench/runge_kutta.h"
 
 #include <algorithm>
 #include <cmath>

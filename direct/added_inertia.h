@@ -1,7 +1,7 @@
 // The inertia that is added to the links of taut chains. Given, there is nothing to edit here.
 #pragma once
 
-#include "chapters/09_direct/joint_islands.h"
+#include "direct/joint_islands.h"
 
 /// \addtogroup chapter9
 /// @{
@@ -15,6 +15,9 @@ class AddedInertia {
   /// \param h step [s]
   void begin(int slots, real kappa, real h);
   bool used() const { return kappa_ > 0; }  ///< some may be added in this step
+  /// Finds the loops of an island with at most one degree of freedom: their links cannot zigzag. It
+  /// overwrites the factor.
+  void find_tight_loops(Island& island) const;
   /// Adds what the forces of the last step require.
   void add(const Bodies& bodies, const Blocks& blocks, JointIslands& islands);
   /// Finds what the present impulses require.
@@ -27,8 +30,8 @@ class AddedInertia {
   /// Stores the least moments that the step could follow.
   void remember(SolverMemory& memory) const;
 
-  /// Sets the masses of a pair. \param only_lane -1: of both
-  void set_masses(IslandPair& pair, const Bodies& bodies, int only_lane = -1) const;
+  /// Sets the masses of an island's bodies.
+  void set_masses(Island& island, const Bodies& bodies) const;
   /// Sets the inertia of all bodies.
   void set_inertia(Bodies& bodies) const;
   /// Sets the angular velocity of a body to what Eq. 9-14 leaves.

@@ -1,7 +1,8 @@
 // The direct solver: which blocks are in A, alternation with the others, and added inertia.
-#include "chapters/09_direct/direct_solver.h"
+#include "direct/direct_solver.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace joints {
@@ -9,13 +10,8 @@ namespace joints {
 // At most this many times a step is solved again because its forces have jumped.
 static constexpr int most_again = 4;
 
-// Calls f(slot) for all bodies of a pair that can move.
-template <class F>
-static void for_moving(const IslandPair& pair, const F& f) {
-  for (std::size_t k = 0; k < pair.bodies.size(); ++k)
-    for (const int slot : pair.bodies[k])
-      if (pair.moves[k] && slot >= 0) f(slot);
-}
+// Largest number of corrections in reach().
+static constexpr int rounds = 12;
 
 void DirectSolver::check() const {
   require(newton >= 0, "newton", real(newton), "must not be negative");
@@ -46,24 +42,25 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
   split_blocks();
   recall_corrections();
   report_.multiplications = report_.fill = 0;
-  for (IslandPair& pair : islands_.pairs) {
-    report_.multiplications += pair.multiplications();
-    report_.fill += pair.fill();
-    pair.active = true;
-    const auto is_late = [&](const LaneBlock& block) {
-      return block.block[0] >= first || block.block[1] >= first;
-    };
-    if (late && !pair.is_new && std::none_of(pair.blocks.begin(), pair.blocks.end(), is_late))
+  for (Island& island : islands_.list) {
+    JointSystem& system = island.system;
+    island.active = !island.left;
+    if (island.left) continue;
+    report_.multiplications += system.multiplications();
+    report_.fill += system.fill();
+    if (late && !island.is_new &&
+        std::none_of(system.blocks.begin(), system.blocks.end(),
+                     [&](const SystemBlock& block) { return block.block >= first; }))
       continue;
-    pair.softening = softening;
-    pair.inverse = inverse;
-    pair.prepare(blocks, newton > 0 ? blocks.memory.corrections.data() : nullptr, h);
-    inertia_.set_masses(pair, bodies);
-    if (!late && inertia_.used()) pair.find_tight_loops();
+    system.softening = softening;
+    system.inverse = inverse;
+    system.prepare(blocks, newton > 0 ? blocks.memory.corrections.data() : nullptr, h);
+    inertia_.set_masses(island, bodies);
+    if (!late && inertia_.used()) inertia_.find_tight_loops(island);
   }
   if (!late && inertia_.used()) {
     inertia_.add(bodies, blocks, islands_);
-    for (IslandPair& pair : islands_.pairs) inertia_.set_masses(pair, bodies);
+    for (Island& island : islands_.list) inertia_.set_masses(island, bodies);
   }
   prepare_outside(bodies);
   if (report_.iterated) fallback.prepare(bodies, left_, 0, h);
@@ -85,7 +82,7 @@ bool DirectSolver::collect_blocks(const Bodies& bodies) {
     const BlockPattern now{
         {block.body1, block.body2},
         {!bodies.at(block.body1).is_static(), !bodies.at(block.body2).is_static()},
-        is_outside(block) ? 0 : block.rows, bounded, block.form};
+        is_outside(block) ? 0 : block.rows, bounded};
     changed = changed || now != *known;
     *known++ = now;
   }
@@ -122,13 +119,13 @@ void DirectSolver::split_blocks() {
 void DirectSolver::recall_corrections() {
   SolverMemory& memory = blocks_->memory;
   patterns_.clear();
-  for (const JointIslands::Island& island : islands_.islands())
+  for (const Island& island : islands_.list)
     patterns_.insert(patterns_.end(), {island.pattern, island.rows});
   if (newton == 0) memory.patterns.clear(), memory.corrections.clear();
   if (newton == 0 || memory.patterns == patterns_) return;
   zeros(recalled_, std::size_t(islands_.rows()));
   std::size_t from = 0, next = 0;  // of the old ones
-  for (const JointIslands::Island& island : islands_.islands())
+  for (const Island& island : islands_.list)
     for (std::size_t n = 0; n < memory.patterns.size(); n += 2) {
       if (next == memory.patterns.size()) next = from = 0;
       const int* const old = &memory.patterns[next];
@@ -159,15 +156,16 @@ void DirectSolver::warm_start(Bodies& bodies, real ratio) {
     ratio_ = ratio > 0 ? real(1) : real(0);
     if (inertia_.used()) before_.assign(bodies.begin(), bodies.end());
   }
-  for (IslandPair& pair : islands_.pairs)
-    if (inertia_.used() && pair.active)
-      for_moving(pair, [&](int slot) { inertia_.set_velocity(bodies.at(slot), slot); });
+  for (const Island& island : islands_.list)
+    if (inertia_.used() && island.active)
+      island.for_moving([&](int slot) { inertia_.set_velocity(bodies.at(slot), slot); });
   if (again ? alternating() : !outside_.list.empty()) contacts_.warm_start(bodies, ratio);
-  for (IslandPair& pair : islands_.pairs) {
-    if (!pair.active) continue;
-    if (ratio != 0) pair.load(bodies);
-    pair.start(double(ratio));
-    if (ratio != 0) pair.store(bodies), pair.store_impulses(*blocks_);  // else solve() does both
+  for (Island& island : islands_.list) {
+    if (!island.active) continue;
+    JointSystem& system = island.system;
+    if (ratio != 0) system.load(bodies);
+    system.start(double(ratio));
+    if (ratio != 0) system.store(bodies), system.store_impulses(*blocks_);  // else solve() does both
   }
 }
 
@@ -176,16 +174,17 @@ void DirectSolver::warm_start(Bodies& bodies, real ratio) {
 void DirectSolver::solve(Bodies& bodies) {
   blocks_of(bodies);  // rejects other bodies
   if (report_.iterated) fallback.solve(bodies);
-  for (IslandPair& pair : islands_.pairs) pair.active = true;
+  for (Island& island : islands_.list) island.active = !island.left;
   solve_active(bodies, !outside_.list.empty());
   if (!before_.empty()) {
     for (int k = 0; k < most_again && forces_jumped(bodies); ++k) solve_again(bodies);
     inertia_.remember(blocks_->memory);
   }
   report_.passes = report_.wrong = 0;
-  for (const IslandPair& pair : islands_.pairs) {
-    report_.passes = std::max(report_.passes, pair.passes);
-    report_.wrong += pair.wrong;
+  for (const Island& island : islands_.list) {
+    if (island.left) continue;
+    report_.passes = std::max(report_.passes, island.system.passes);
+    report_.wrong += island.system.wrong;
   }
 }
 
@@ -193,19 +192,19 @@ void DirectSolver::solve(Bodies& bodies) {
 void DirectSolver::solve_active(Bodies& bodies, bool outside) {
   for (int n = 0; n < (outside ? alternations : 1); ++n) {
     if (outside) contacts_.solve(bodies);
-    for (IslandPair& pair : islands_.pairs) {
-      if (!pair.active || (n > 0 && !pair.alternates)) continue;
-      pair.load(bodies);
-      pair.solve(passes, !pair.alternates);  // the next alternation refines
-      pair.store(bodies);
-      pair.store_impulses(*blocks_);
+    for (Island& island : islands_.list) {
+      if (!island.active || (n > 0 && !island.alternates)) continue;
+      island.system.load(bodies);
+      island.system.solve(passes, !island.alternates);  // the next alternation refines
+      island.system.store(bodies);
+      island.system.store_impulses(*blocks_);
     }
   }
 }
 
 bool DirectSolver::alternating() const {
-  return std::any_of(islands_.pairs.begin(), islands_.pairs.end(),
-                     [](const IslandPair& pair) { return pair.active && pair.alternates; });
+  return std::any_of(islands_.list.begin(), islands_.list.end(),
+                     [](const Island& island) { return island.active && island.alternates; });
 }
 
 // True if the forces have jumped at a body. Then only the islands of such bodies are active and, if
@@ -213,15 +212,16 @@ bool DirectSolver::alternating() const {
 bool DirectSolver::forces_jumped(const Bodies& bodies) {
   inertia_.find_next(*blocks_, islands_);
   bool any = false;
-  for (IslandPair& pair : islands_.pairs) {
-    pair.active = false;
-    for_moving(pair, [&](int slot) {
-      pair.active = pair.active || inertia_.jumped(bodies.at(slot), slot);
+  for (Island& island : islands_.list) {
+    island.active = false;
+    island.for_moving([&](int slot) {
+      island.active = island.active || inertia_.jumped(bodies.at(slot), slot);
     });
-    any = any || pair.active;
+    any = any || island.active;
   }
   if (alternating())
-    for (IslandPair& pair : islands_.pairs) pair.active = pair.active || pair.alternates;
+    for (Island& island : islands_.list)
+      island.active = island.active || (island.alternates && !island.left);
   return any;
 }
 
@@ -233,14 +233,14 @@ void DirectSolver::solve_again(Bodies& bodies) {
   const bool outside = alternating();
   for (int slot = 0; slot < bodies.slots() && outside; ++slot)
     if (islands_.is_beside(islands_.root_of(slot))) go_back(slot);
-  for (IslandPair& pair : islands_.pairs) {
-    if (!pair.active) continue;
-    for_moving(pair, [&](int slot) {
+  for (Island& island : islands_.list) {
+    if (!island.active) continue;
+    island.for_moving([&](int slot) {
       go_back(slot);
       inertia_.add_next(bodies.at(slot), slot, blocks_->memory);
     });
-    inertia_.set_masses(pair, bodies);
-    pair.factored = false;
+    inertia_.set_masses(island, bodies);
+    island.system.factored = false;
   }
   if (outside) prepare_outside(bodies);
   warm_start(bodies, ratio_);
@@ -251,7 +251,8 @@ void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
   blocks_of(bodies);  // rejects other bodies
   if (newton > 0) {
     Positions(positions_, islands_, inertia_, *blocks_, bodies, h, append).move(newton, tolerance);
-    for (const IslandPair& pair : islands_.pairs) pair.store_impulses(*blocks_);
+    for (const Island& island : islands_.list)
+      if (!island.left) island.system.store_impulses(*blocks_);
     Positions::Report& report = report_;
     report = positions_.report;
     if (!report_.iterated) return;
@@ -267,28 +268,42 @@ void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
 void DirectSolver::factor_now() {
   require(blocks_ != nullptr && !report_.iterated,
           "solver: there is no matrix: nothing was prepared, or for iterations");
-  for (IslandPair& pair : islands_.pairs) pair.factor_now();
+  for (Island& island : islands_.list) island.system.factor_now();
 }
 
 int DirectSolver::dependent() const {
   int count = 0;
-  for (const IslandPair& pair : islands_.pairs)
-    if (pair.passes > 0) count += pair.dependent();
+  for (const Island& island : islands_.list)
+    if (!island.left && island.system.passes > 0) count += island.system.dependent();
   return count;
 }
 
+// Mostly it takes more than one solution: A is softened, and belongs to other poses than `at`.
 void DirectSolver::reach(Bodies& bodies, const Blocks& at, const std::vector<real>& wanted,
                          double enough) {
   const Blocks& blocks = blocks_of(bodies);
   bool factored = true;
-  for (const IslandPair& pair : islands_.pairs) factored = factored && pair.factored;
+  for (const Island& island : islands_.list) factored = factored && island.system.factored;
   require(wanted.size() == blocks.C.size() && at.list.size() == blocks.list.size() && factored,
           "rates: there must be one for each row, and a factor");
-  for (IslandPair& pair : islands_.pairs) {
-    pair.load(bodies);
-    pair.reach(at, wanted, enough);
-    pair.store(bodies);
-    pair.store_impulses(blocks);
+  for (Island& island : islands_.list) {
+    JointSystem& system = island.system;
+    system.load(bodies);
+    double before = 0;
+    for (int n = 0; n < rounds; ++n) {
+      double largest = 0;
+      for (const SystemBlock& block : system.blocks)
+        for (int i = 0, row = at.list[block.block].first; i < block.rows; ++i, ++row) {
+          double& x = system.x[system.row_of(block) + i];
+          x = double(wanted[row]) - system.rate(block, at.J[row]);
+          largest = std::max(largest, std::abs(x));
+        }
+      if (largest <= enough || (n >= 2 && !(largest < before / 2))) break;
+      before = largest;
+      system.change();
+    }
+    system.store(bodies);
+    system.store_impulses(blocks);
   }
 }
 

@@ -9,7 +9,8 @@ from base import house
 KINDS = [("known answers", r"_answers_file|_stub\.dir"), ("units", r"_units"),
          ("tests of the exercises", r"/\d\d_\w+_tests"),
          ("topics", r"^tests/CMakeFiles/\w+_test(_float)?\.dir"),
-         ("checker", r"^checker|^tests/CMakeFiles/checker"), ("programs", r"/\d\d_\w+_(run|experiments)"),
+         ("checker", r"^checker|^tests/CMakeFiles/checker"),
+         ("programs", r"/\d\d_\w+_(run|experiments)"),
          ("solutions", r"^CMakeFiles/\d\d_"), ("engine", r"^engine/"), ("bench", r"^bench/")]
 MOST = 5
 

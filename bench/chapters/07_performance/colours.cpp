@@ -1,5 +1,5 @@
-// The colours of a chain, a bridge and a net, and the fraction of eight lanes that these and a wheel
-// use.
+// The colours of a chain, a bridge and a net, and the fraction of eight lanes that these and a
+// wheel use.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// The experiments of chapter 8: a box at rest, the loop by hand, drift, the questions, the machines.
+// The experiments of chapter 8: a box at rest, a loop by hand, drift, the questions, the machines.
 #include "bench/chapters/08_ground/experiments.h"
 #include "engine/instruments/options.h"
 

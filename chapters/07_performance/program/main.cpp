@@ -10,7 +10,7 @@ namespace joints::chapter7 {
 
 namespace {
 
-// ---- the steps of the loop -----------------------------------------------------------------------
+// ---- the steps of the loop ---------------------------------------------------------------------
 
 using Places = std::vector<vec3>;
 
@@ -101,7 +101,7 @@ void steps(const Choice& choice, std::vector<Summary>& lines) {
   race.measure<Lanes>("lanes a chain each", by_islands, along);
 }
 
-// ---- three whips, recorded -----------------------------------------------------------------------
+// ---- three whips, recorded ---------------------------------------------------------------------
 
 // The same chain, solved in chain order, by colours, and over-relaxed. Twenty cubes each, released
 // level with the last three hanging down; a tenth of the iterations, so that the remaining errors

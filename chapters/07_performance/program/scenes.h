@@ -1,5 +1,5 @@
-// The scenes of chapter 7: chains of cubes on hinges, their orders and their runs. Read it; there is
-// nothing to edit here.
+// The scenes of chapter 7: chains of cubes on hinges, their orders and their runs. Read it; there
+// is nothing to edit here.
 #pragma once
 
 #include <algorithm>
@@ -39,8 +39,8 @@ struct Chains {
 /// The thesis' performance scene: cubes of 1 m and 100 kg in rows along z, spacing apart, the first
 /// of each chain static; each hinge at the centre of the previous cube, its axis x; chains 3 m
 /// apart.
-/// \param cubes of each chain \param beta of the hinges [1] \param hanging how many cubes at the end
-/// of each chain already hang straight down
+/// \param cubes of each chain \param beta of the hinges [1] \param hanging how many cubes at the
+/// end of each chain already hang straight down
 inline Chains cube_chains(int count, int cubes, real beta, int hanging = 0) {
   Chains chains;
   for (int c = 0; c < count; ++c)
@@ -105,7 +105,8 @@ Experiment experiment_of(HingeLoop<Number>& loop, const Chains& chains, int step
 }
 
 /// Prints the plan of a scene, as every program does.
-inline void print_plan(const std::string& name, const std::vector<Body>& bodies, std::size_t hinges) {
+inline void print_plan(const std::string& name, const std::vector<Body>& bodies,
+                       std::size_t hinges) {
   Plan plan;
   plan.bodies = int(bodies.size());
   for (const Body& body : bodies) plan.static_bodies += body.is_static();

@@ -1,5 +1,5 @@
-// Chapter 8's program: a box slides, lies on a slope, balls bounce, and a chain falls on the ground,
-// with joints and contacts in one loop or in two. Read it; there is nothing to edit here.
+// Chapter 8's program: a box slides and lies on a slope, balls bounce, and a chain falls on the
+// ground, with joints and contacts in one loop or in two. Read it; there is nothing to edit here.
 #include <algorithm>
 #include <cmath>
 

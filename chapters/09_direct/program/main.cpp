@@ -1,5 +1,5 @@
-// Chapter 9's program: scenes that iterations do not solve, a chain pulled sideways and a beam, with
-// iterations and with your direct solver. Read it; there is nothing to edit here.
+// Chapter 9's program: a chain pulled sideways and a beam, which iterations do not solve, and your
+// direct solver does. Read it; there is nothing to edit here.
 #include <algorithm>
 #include <cstdio>
 

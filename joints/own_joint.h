@@ -142,8 +142,8 @@ inline void check(const Cone& cone) {
           "must be above 0 and below pi [rad]");
 }
 /// Rows of a one-sided angular part for the end of a step. Its own row is exact at the start; if
-/// the new velocities would violate the part at the end all the same, up to `most` rows for the pose
-/// there are added, one after the other.
+/// the new velocities would violate the part at the end all the same, up to `most` rows for the
+/// pose there are added, one after the other.
 class EndRows {
  public:
   static constexpr int most = 12;                ///< rows in a step

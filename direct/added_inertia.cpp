@@ -11,11 +11,12 @@ void AddedInertia::begin(int slots, real kappa, real h) {
   if (used()) now_.assign(std::size_t(slots), Pulled{});
 }
 
-void AddedInertia::add(const Bodies& bodies, const Blocks& blocks, JointIslands& islands) {
-  blocks.memory.inertia.resize(now_.size());
+void AddedInertia::add(const Bodies& bodies, const Blocks& blocks, JointIslands& islands,
+                       SolverMemory& memory) {
+  memory.inertia.resize(now_.size());
   find(blocks.acted, blocks, islands, now_);
   for (int slot = 0; slot < bodies.slots(); ++slot)
-    slow_down(bodies.at(slot), slot, blocks.memory);
+    slow_down(bodies.at(slot), slot, memory);
 }
 
 void AddedInertia::find_next(const Blocks& blocks, JointIslands& islands) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "direct/joint_islands.h"
+#include "direct/solver_memory.h"
 
 /// \addtogroup chapter9
 /// @{
@@ -19,7 +20,8 @@ class AddedInertia {
   /// overwrites the factor.
   void find_tight_loops(Island& island) const;
   /// Adds what the forces of the last step require.
-  void add(const Bodies& bodies, const Blocks& blocks, JointIslands& islands);
+  void add(const Bodies& bodies, const Blocks& blocks, JointIslands& islands,
+           SolverMemory& memory);
   /// Finds what the present impulses require.
   void find_next(const Blocks& blocks, JointIslands& islands);
   /// True if the present impulses require more than twice the inertia of a body. This happens after

@@ -36,6 +36,7 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
   if (!late) {
     report_ = {};
     before_.clear();
+    memory_.read(blocks.memory, bodies.slots());
     inertia_.begin(bodies.slots(), added_inertia, h);
   }
   islands_.group(collect_blocks(bodies), bodies.slots(), most_work);
@@ -54,12 +55,12 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
       continue;
     system.softening = softening;
     system.inverse = inverse;
-    system.prepare(blocks, newton > 0 ? blocks.memory.corrections.data() : nullptr, h);
+    system.prepare(blocks, newton > 0 ? memory_.expected.data() : nullptr, h);
     inertia_.set_masses(island, bodies);
     if (!late && inertia_.used()) inertia_.find_tight_loops(island);
   }
   if (!late && inertia_.used()) {
-    inertia_.add(bodies, blocks, islands_);
+    inertia_.add(bodies, blocks, islands_, memory_);
     for (Island& island : islands_.list) inertia_.set_masses(island, bodies);
   }
   prepare_outside(bodies);
@@ -117,25 +118,30 @@ void DirectSolver::split_blocks() {
 
 // The corrections of the last step are used in islands whose rows are the same.
 void DirectSolver::recall_corrections() {
-  SolverMemory& memory = blocks_->memory;
-  patterns_.clear();
+  SolverMemory& now = recalled_;
+  now.patterns.clear();
   for (const Island& island : islands_.list)
-    patterns_.insert(patterns_.end(), {island.pattern, island.rows});
-  if (newton == 0) memory.patterns.clear(), memory.corrections.clear();
-  if (newton == 0 || memory.patterns == patterns_) return;
-  zeros(recalled_, std::size_t(islands_.rows()));
+    now.patterns.insert(now.patterns.end(), {island.pattern, island.rows});
+  if (newton == 0) memory_.patterns.clear(), memory_.last.clear(), memory_.expected.clear();
+  if (newton == 0 || memory_.patterns == now.patterns) return;
+  zeros(now.last, std::size_t(islands_.rows()));
+  zeros(now.expected, std::size_t(islands_.rows()));
   std::size_t from = 0, next = 0;  // of the old ones
   for (const Island& island : islands_.list)
-    for (std::size_t n = 0; n < memory.patterns.size(); n += 2) {
-      if (next == memory.patterns.size()) next = from = 0;
-      const int* const old = &memory.patterns[next];
+    for (std::size_t n = 0; n < memory_.patterns.size(); n += 2) {
+      if (next == memory_.patterns.size()) next = from = 0;
+      const int* const old = &memory_.patterns[next];
       const bool same = old[0] == island.pattern && old[1] == island.rows;
-      if (same) std::copy_n(&memory.corrections[from], island.rows, &recalled_[island.first_row]);
+      if (same) {
+        std::copy_n(&memory_.last[from], island.rows, &now.last[island.first_row]);
+        std::copy_n(&memory_.expected[from], island.rows, &now.expected[island.first_row]);
+      }
       next += 2, from += std::size_t(old[1]);
       if (same) break;
     }
-  memory.corrections.swap(recalled_);
-  memory.patterns = patterns_;
+  memory_.last.swap(now.last);
+  memory_.expected.swap(now.expected);
+  memory_.patterns.swap(now.patterns);
 }
 
 // Rows outside A need the same masses as the rows in it. Otherwise alternating between the two
@@ -178,8 +184,9 @@ void DirectSolver::solve(Bodies& bodies) {
   solve_active(bodies, !outside_.list.empty());
   if (!before_.empty()) {
     for (int k = 0; k < most_again && forces_jumped(bodies); ++k) solve_again(bodies);
-    inertia_.remember(blocks_->memory);
+    inertia_.remember(memory_);
   }
+  memory_.write(blocks_->memory);
   report_.passes = report_.wrong = 0;
   for (const Island& island : islands_.list) {
     if (island.left) continue;
@@ -237,7 +244,7 @@ void DirectSolver::solve_again(Bodies& bodies) {
     if (!island.active) continue;
     island.for_moving([&](int slot) {
       go_back(slot);
-      inertia_.add_next(bodies.at(slot), slot, blocks_->memory);
+      inertia_.add_next(bodies.at(slot), slot, memory_);
     });
     inertia_.set_masses(island, bodies);
     island.system.factored = false;
@@ -250,7 +257,9 @@ void DirectSolver::solve_again(Bodies& bodies) {
 void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
   blocks_of(bodies);  // rejects other bodies
   if (newton > 0) {
-    Positions(positions_, islands_, inertia_, *blocks_, bodies, h, append).move(newton, tolerance);
+    Positions(positions_, islands_, inertia_, *blocks_, memory_, bodies, h, append)
+        .move(newton, tolerance);
+    memory_.write(blocks_->memory);
     for (const Island& island : islands_.list)
       if (!island.left) island.system.store_impulses(*blocks_);
     Positions::Report& report = report_;

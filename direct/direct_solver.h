@@ -102,8 +102,7 @@ class DirectSolver : public Solver {
   AddedInertia inertia_;
   real ratio_ = 0;                      // of the warm start: 1, or 0 for a cold one
   std::vector<Body> before_;            // velocities before the warm start
-  std::vector<int> patterns_;           // SolverMemory::patterns of this step
-  std::vector<Correction> recalled_;
+  SolverMemory memory_, recalled_;
   Positions::Memory positions_;
   Report report_;
 };

@@ -63,12 +63,12 @@ void JointIslands::find_islands(int slots) {
       Island& now = list[count - 1];
       now.first = int(n), now.first_row = rows_, now.rows = 0;
       now.root = root_of_block(block);
-      now.pattern = int(2166136261u >> 1);
+      now.pattern = int(2166136261u >> 8);  // 24 bits, which a float holds as well
     }
     Island& now = list[count - 1];
     const auto& [of, moves, rows, bounded] = given[block];
     for (const int number : {of.body1, of.body2, rows, int(bounded)})
-      now.pattern = int((std::uint32_t(now.pattern) ^ std::uint32_t(number)) * 16777619u >> 1);
+      now.pattern = int((std::uint32_t(now.pattern) ^ std::uint32_t(number)) * 16777619u >> 8);
     at_[block] = {int(count) - 1, 0, rows_};
     order_.push_back(block);
     rows_ += rows;

@@ -64,7 +64,9 @@ double Positions::twice_kinetic() {
 
 bool Positions::move_alone() {
   Memory::Try& now = own_.tries[from_];
-  const auto expected = expected_.begin() + base_, stored = own_.expected.begin() + base_;
+  const auto last = corrections_.last.begin() + base_;
+  const auto expected = corrections_.expected.begin() + base_;
+  const auto stored = own_.expected.begin() + base_;
   const int rows = islands_.list[from_].rows;
   now.moving = true;
   zeros(own_.C, std::size_t(rows));
@@ -82,14 +84,15 @@ bool Positions::move_alone() {
   back_to_best();
   if (std::isinf(least)) {
     zeros(own_.rates, std::size_t(rows));
-    for (int r = 0; r < rows; ++r) own_.rates[r] = -double(stored[r].next);
+    for (int r = 0; r < rows; ++r) own_.rates[r] = -double(stored[r]);
     change_rates(own_.rates);
   }
   for (int n = 0; !(now.exact = project(now.most)) && n < most_halved && opened(now.most); ++n) {
     for_bodies([](Body& body, int) { body.v /= real(2), body.w /= real(2); });
     ++own_.report.halved;
   }
-  std::fill_n(expected, rows, Correction{});
+  std::fill_n(last, rows, real(0));
+  std::fill_n(expected, rows, real(0));
   return now.exact;
 }
 

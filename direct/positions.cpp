@@ -28,7 +28,7 @@ void Positions::move(int newton, double tolerance) {
   const int count = int(islands_.list.size());
   own_.impulses.resize(std::size_t(count));
   for (int k = 0; k < count; ++k) own_.impulses[k] = islands_.list[k].system.impulse;
-  own_.expected = expected_;
+  own_.expected = corrections_.expected;
   own_.moved.assign(std::size_t(bodies_.slots()), false);
   own_.tries.assign(std::size_t(count), {});
   for (int k = 0; k < count; ++k) {
@@ -70,8 +70,8 @@ std::vector<double>& Positions::errors() {
 
 void Positions::change_rates(std::vector<double>& rates) {
   ++own_.report.corrections;
-  Correction* const all = expected_.data() + base_;
-  for (std::size_t r = 0; r < rates.size(); ++r) all[r].next += real(rates[r]);
+  for (std::size_t r = 0; r < rates.size(); ++r)
+    corrections_.expected[base_ + r] += real(rates[r]);
   for_islands([&](Island& island, int k) {
     if (!moving(k)) return;
     JointSystem& system = island.system;
@@ -173,7 +173,8 @@ void Positions::evaluate(bool rows) {
 void Positions::expect() {
   for_islands([&](Island& island, int) {
     if (!island.plan->list.empty() || !island.system.bounded.empty()) return;
-    for (auto& [last, next] : std::span(expected_).subspan(island.first_row, island.rows)) {
+    for (int row = island.first_row; row < island.first_row + island.rows; ++row) {
+      real &last = corrections_.last[row], &next = corrections_.expected[row];
       const real now = next;
       if (last != 0) next += now - last;
       last = now;

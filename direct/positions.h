@@ -51,7 +51,7 @@ class Positions : public Corrector {
     std::vector<int> corrected;            // of each block: bit i is set if row i is corrected
     std::vector<double> C, last_C, rates;
     std::vector<vec3> spins;               // angular velocities before a correction
-    std::vector<Correction> expected;      // SolverMemory::corrections at the beginning
+    std::vector<real> expected;            // SolverMemory::expected at the beginning
     std::vector<bool> moved;               // for each slot
     std::vector<std::vector<double>> impulses;  // of each island at the beginning
     std::vector<Body> best;                // of the island: velocities to which it may go back
@@ -61,9 +61,10 @@ class Positions : public Corrector {
 
   /// Of the islands and the blocks of a step. \param append as for Solver::advance()
   Positions(Memory& memory, JointIslands& islands, const AddedInertia& inertia,
-            const Blocks& blocks, Bodies& bodies, real h, const Solver::Append& append)
+            const Blocks& blocks, SolverMemory& corrections, Bodies& bodies, real h,
+            const Solver::Append& append)
       : own_(memory), islands_(islands), inertia_(inertia), blocks_(blocks), list_(blocks.list),
-        expected_(blocks.memory.corrections), bodies_(bodies), h_(h), append_(append) {}
+        corrections_(corrections), bodies_(bodies), h_(h), append_(append) {}
 
   /// Moves all bodies. \param newton largest number of corrections of all islands together
   /// \param tolerance DirectSolver::tolerance
@@ -122,7 +123,7 @@ class Positions : public Corrector {
   const AddedInertia& inertia_;
   const Blocks& blocks_;
   const std::vector<Block>& list_;
-  std::vector<Correction>& expected_;
+  SolverMemory& corrections_;
   Bodies& bodies_;
   real h_;
   const Solver::Append& append_;

@@ -12,6 +12,10 @@ namespace joints {
 /// The changes of rates that make errors zero. At first it assumes that an error changes by h times
 /// the change of its rate. Every correction shows how the errors really change in one direction,
 /// and from then on this is used there. Source: Anderson 1965, with an unlimited memory.
+///
+/// Linkages that pass through a singular pose need it. Without it new factors correct them there,
+/// whose impulses change the energy: of the drawn families "equal four-bars" lose 1.4 % (median) in
+/// place of 0.02 %, and 54 of 60 "rings" keep their energy, in place of 60.
 class Secants {
  public:
   /// Forgets all corrections. \param rows number of the errors \param most the largest number of

@@ -100,23 +100,6 @@ inline real bias(const Block& block, int i, real C, real rate, real h) {
   return (C > 0 ? C / h : rate * corrected(target, C, rate)) - target.rate;
 }
 
-/// A change of J V of a row that corrects the poses [unit of C per s].
-struct Correction {
-  real last = 0;  ///< in the last step
-  real next = 0;  ///< expected in the next one
-  bool operator==(const Correction&) const = default;  ///< the same numbers
-};
-
-/// The data that a solver keeps from one step for the next one, in addition to the impulses. It is
-/// part of a world's state. The corrections of an island are used only if it has the same rows
-/// again.
-struct SolverMemory {
-  std::vector<real> inertia;  ///< least moment that the step used, for each slot [kg m^2]
-  std::vector<Correction> corrections;  ///< of each row
-  std::vector<int> patterns;  ///< for each island a hash of its rows, and their number
-  bool operator==(const SolverMemory&) const = default;  ///< the same numbers
-};
-
 /// The blocks of one step: a list of headers and two flat arrays.
 class Blocks {
  public:
@@ -133,7 +116,9 @@ class Blocks {
   /// The duration of this step's impulses [s]: h, or the mean of the last h and this one with
   /// leapfrog. An impulse is a force times this.
   real acting = 0;
-  mutable SolverMemory memory;  ///< written by the solver
+  /// What a solver keeps for the next step beside the impulses, in an order of its own. It is part
+  /// of a world's state.
+  mutable std::vector<real> memory;
 
   /// `acting`, or h if it has not been set, as in a step written by hand. \param h step [s]
   real acts(real h) const { return acting > 0 ? acting : h; }

@@ -106,7 +106,7 @@ int JointSystem::at(int later, int earlier) const {
 
 // ---- from bodies and blocks, and back -----------------------------------------------------------
 
-void JointSystem::prepare(const Blocks& given, const Correction* corrections, real h) {
+void JointSystem::prepare(const Blocks& given, const real* expected, real h) {
   bounded.clear();
   factored = springs_ = loops_ = false;
   passes = wrong = 0;
@@ -120,9 +120,8 @@ void JointSystem::prepare(const Blocks& given, const Correction* corrections, re
     loops_ = loops_ || blocks[k].loop >= 0;
     const int row = row_of(blocks[k]);
     for (int i = 0; i < block.rows; ++i) {
-      const double expected = corrections ? double(corrections[blocks[k].row + i].next) : 0;
-      wanted_[row + i] =
-          expected - double(bias(block, i, given.C[block.first + i], target.rate, h));
+      wanted_[row + i] = (expected ? double(expected[blocks[k].row + i]) : 0) -
+                         double(bias(block, i, given.C[block.first + i], target.rate, h));
       impulse[row + i] = double(block.impulse[i]);
     }
     if (!blocks[k].bounded) continue;
@@ -248,16 +247,15 @@ int JointSystem::dependent() const {
 
 // Changes the velocities by impulses of a node.
 void JointSystem::push(int node, const double* by) {
-  for (const int of : {0, 1}) {
-    const int column = columns_[node][of];
-    if (!moves[column]) continue;
-    const HalfRow* const rows = half(node, of);
-    HalfRow sum{};  // J^T times the impulses
-    for (int i = 0; i < A.nodes[node].rows; ++i)
-      sum.v += by[i] * rows[i].v, sum.w += by[i] * rows[i].w;
-    velocities_[column].v += masses_[column].linear * sum.v;
-    velocities_[column].w += masses_[column].angular * sum.w;
-  }
+  with_size(A.nodes[node].rows, [&](auto n) {
+    const HalfRow* rows = half(node, 0);
+    for (const int column : columns_[node]) {
+      HalfRow sum{};  // J^T times the impulses
+      for (int i = 0; i < n; ++i, ++rows) sum.v += by[i] * rows->v, sum.w += by[i] * rows->w;
+      velocities_[column].v += masses_[column].linear * sum.v;
+      velocities_[column].w += masses_[column].angular * sum.w;
+    }
+  });
 }
 
 // J V of a node.
@@ -265,9 +263,11 @@ void JointSystem::rates_of(int node, double* out) const {
   const HalfRow* const rows = &J_[2 * A.nodes[node].row];
   const HalfRow& one = velocities_[columns_[node][0]];
   const HalfRow& two = velocities_[columns_[node][1]];
-  for (int i = 0, n = A.nodes[node].rows; i < n; ++i)
-    out[i] = (dot(rows[i].v, one.v) + dot(rows[i].w, one.w)) +
-             (dot(rows[n + i].v, two.v) + dot(rows[n + i].w, two.w));
+  with_size(A.nodes[node].rows, [&](auto n) {
+    for (int i = 0; i < n; ++i)
+      out[i] = (dot(rows[i].v, one.v) + dot(rows[i].w, one.w)) +
+               (dot(rows[n + i].v, two.v) + dot(rows[n + i].w, two.w));
+  });
 }
 
 double JointSystem::rate(const SystemBlock& block, const Row& row) const {

@@ -69,9 +69,9 @@ class JointSystem {
 
   /// Computes nodes, edges and targets for the blocks.
   void lay_out(const EliminationPlan& plan);
-  /// Prepares all blocks. \param corrections those that are expected (SolverMemory), or null
-  /// \param h step [s]
-  void prepare(const Blocks& given, const Correction* corrections, real h);
+  /// Prepares all blocks. \param expected for each row the change of J V that the poses will need,
+  /// or null \param h step [s]
+  void prepare(const Blocks& given, const real* expected, real h);
   void set_rows(const SystemBlock& block, const Row* rows);  ///< sets the rows of a block
   void set_mass(int column, const Body& body);               ///< sets the mass of a body
   void load(const Bodies& all);                              ///< reads the velocities of its bodies

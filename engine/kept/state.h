@@ -23,7 +23,7 @@ namespace joints {
 struct State {
   real last_h = 0;          ///< World::last_h [s]
   real acted = 0;           ///< Blocks::acting [s]
-  SolverMemory memory;      ///< Blocks::memory
+  std::vector<real> memory;  ///< Blocks::memory
   std::vector<int> slots;   ///< of the bodies in their array
   std::vector<real> bodies;  ///< 19 for each: x, q (w, x, y, z), v, w, force, torque
   std::vector<std::array<int, 3>> shapes;  ///< for each joint two slots and its count of numbers

@@ -112,7 +112,7 @@ void RungeKutta::step(World& world, real h) {
   auto sum = impulses.begin();
   for_impulses(world.blocks, springs_, [&](real& impulse) { impulse = real(*sum++); });
   exchange_rows(world.blocks, next_);
-  world.last_h = world.blocks.acting = h;
+  world.last_h = world.blocks.impulse_duration = h;
   check_motion(world.bodies);
 }
 
@@ -123,13 +123,13 @@ void RungeKutta::begin(World& world, real h) {
       "world: no joint may have limits, a motor, friction or a spring of a coordinate, and no row "
       "may have bounds";
   for (const auto& joint : world.joints()) {
-    const Joint::Extras extras = joint->extras();
+    const Joint::Stats extras = joint->stats();
     require(extras.limits == 0 && extras.motors == 0 && !extras.bounded, bounded);
   }
   collect(world, world.blocks, &springs_);
   for (const Blocks* blocks : {&std::as_const(world.blocks), &std::as_const(springs_)})
     for (const Block& block : blocks->list) {
-      const RowTarget& target = block.target;
+      const RowSettings& target = block.target;
       require(target.lower == -unbounded && target.upper == unbounded && target.follows == 0,
               bounded);
       require((target.frequency > 0) == (blocks == &springs_) && target.rate == 0,
@@ -175,7 +175,8 @@ void RungeKutta::factor(World& world) {
 }
 
 // Stores the forces of the springs in place of their impulses. The force of a spring and damper
-// with the mass K^-1 is -K^-1 (omega^2 C + 2 damping omega J V); StepTarget is its implicit step.
+// with the mass K^-1 is -K^-1 (omega^2 C + 2 damping omega J V); SoftCoefficients is its implicit
+// step.
 void RungeKutta::stretch_springs(const Bodies& bodies) const {
   for (const Block& block : springs_.list) {
     std::fill_n(block.impulse, block.rows, real(0));

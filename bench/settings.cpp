@@ -126,7 +126,7 @@ int Way::iterations_of(int a_step) const {
 
 namespace {
 
-Stepping stepping_of(const Way& way) {
+StepOptions stepping_of(const Way& way) {
   return {.warm_start = way.warm, .substeps = way.substeps, .projections = way.projections,
           .leapfrog = way.leapfrog, .frequency = way.frequency, .row_by_row = way.row_by_row};
 }

@@ -99,7 +99,7 @@ struct Watch {
   static inline bool directly = false;
   World& world;
   SequentialImpulses solver{};
-  Stepping stepping{};
+  StepOptions stepping{};
   bool finite = true;
   DirectSolver direct{};
   void step(real h) {

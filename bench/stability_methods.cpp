@@ -93,7 +93,7 @@ Setting setting_of(const Method& method) {
     }
     SequentialImpulses solver;
     solver.iterations = method.iterations;
-    const Stepping stepping{.warm_start = method.warm, .substeps = method.substeps,
+    const StepOptions stepping{.warm_start = method.warm, .substeps = method.substeps,
                             .projections = method.projections};
     return [=](World& world, real h) mutable { joints::step(world, solver, h, stepping); };
   };

@@ -61,10 +61,10 @@ class ContactJoint : public PointContacts {
   bool transient() const override { return true; }
   std::span<const ContactPoint> points() const override { return points_; }
 
-  inline void choose_rows(const Bodies& bodies, real h) override;
-  void drop_rows() override { points_.assign(places_.size(), {}); }
+  inline void update_active_rows(const Bodies& bodies, real h) override;
+  void deactivate() override { points_.assign(places_.size(), {}); }
   inline void append(const Bodies& bodies, Blocks& blocks) const override;
-  inline void late_limits(const Bodies& bodies, real h, Blocks& blocks) override;
+  inline void activate_missed_limits(const Bodies& bodies, real h, Blocks& blocks) override;
 
   /// The number of points that have rows in this step.
   int touching() const {
@@ -105,7 +105,7 @@ class Contacts {
  public:
   std::function<void(ContactJoint&)> configure{};  ///< called for each new joint
 
-  /// Finds them. \param h step [s] \param substeps Stepping::substeps
+  /// Finds them. \param h step [s] \param substeps StepOptions::substeps
   Contacts(World& world, real h, int substeps = 4)
       : world_(world), h_(h), frequency_(real(substeps) / (4 * h)) {
     require(h > 0 && substeps > 0, "h, substeps: must be positive");
@@ -237,7 +237,7 @@ inline void ContactJoint::set_places(std::span<const ContactPlace> places) {
   places_.assign(places.begin(), places.end());
 }
 
-inline void ContactJoint::choose_rows(const Bodies& bodies, real h) {
+inline void ContactJoint::update_active_rows(const Bodies& bodies, real h) {
   const Body &a = bodies[body1], &b = bodies[body2];
   for (std::size_t k = 0; k < places_.size(); ++k) {
     measure(k, a, b);
@@ -258,7 +258,7 @@ inline void ContactJoint::append(const Bodies& bodies, Blocks& blocks) const {
     if (points_[k].live) append_point(points_[k], places_[k], bodies, blocks);
 }
 
-inline void ContactJoint::late_limits(const Bodies& bodies, real h, Blocks& blocks) {
+inline void ContactJoint::activate_missed_limits(const Bodies& bodies, real h, Blocks& blocks) {
   const Body &a = bodies[body1], &b = bodies[body2];
   for (std::size_t k = 0; k < places_.size(); ++k) {
     ContactPoint& point = points_[k];

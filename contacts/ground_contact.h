@@ -88,13 +88,13 @@ class GroundContact : public PointContacts {
     check(top);
   }
   /// Chooses the corners that have rows in this step and their directions of friction.
-  inline void choose_rows(const Bodies& bodies, real h) override;
-  void drop_rows() override { points_ = {}, live_ = 0, near_ = false; }
+  inline void update_active_rows(const Bodies& bodies, real h) override;
+  void deactivate() override { points_ = {}, live_ = 0, near_ = false; }
   std::span<const ContactPoint> points() const override { return points_; }
   /// Appends friction, friction, normal of each corner that has rows.
   inline void append(const Bodies& bodies, Blocks& blocks) const override;
   /// Appends rows for corners that would penetrate the ground with the new velocities.
-  inline void late_limits(const Bodies& bodies, real h, Blocks& blocks) override;
+  inline void activate_missed_limits(const Bodies& bodies, real h, Blocks& blocks) override;
 
   /// The number of corners that have rows in this step.
   int touching() const { return live_; }
@@ -146,7 +146,7 @@ class GroundContact : public PointContacts {
 
 // ---- which corners have rows --------------------------------------------------------------------
 
-inline void GroundContact::choose_rows(const Bodies& bodies, real h) {
+inline void GroundContact::update_active_rows(const Bodies& bodies, real h) {
   const Body &a = bodies[body1], &b = bodies[body2];
   const bool was_near = near_;
   const real reserve = real(0.1) * h;
@@ -191,7 +191,7 @@ inline void GroundContact::append(const Bodies& bodies, Blocks& blocks) const {
       append_point(point, corner(k), bodies, blocks);
 }
 
-inline void GroundContact::late_limits(const Bodies& bodies, real h, Blocks& blocks) {
+inline void GroundContact::activate_missed_limits(const Bodies& bodies, real h, Blocks& blocks) {
   const Body &a = bodies[body1], &b = bodies[body2];
   if (!near_ && least_gap(a, b, h) >= 0) return;
   near_ = true;  // if it was not: a neighbour's impulse has changed the velocities

@@ -67,7 +67,7 @@ class PointContacts : public Joint {
     require(slop >= 0, "slop", slop, "must not be negative [m]");
     require(push > 0, "push", push, "must be positive [m/s]");
   }
-  Extras extras() const override { return {.bounded = true}; }  ///< bounds of contact and friction
+  Stats stats() const override { return {.bounded = true}; }  ///< bounds of contact and friction
   /// All points, live or not.
   virtual std::span<const ContactPoint> points() const = 0;
 
@@ -129,7 +129,8 @@ inline void apply_restitution(World& world, Solver& solver, real h) {
     const int last = block.first + block.rows - 1;
     real& C = blocks.C[std::size_t(last)];
     if (C <= 0)
-      C = corrected(block.target, C, step_target(block.target, h, blocks.acts(h)).rate);
+      C = corrected(block.target, C,
+                    soft_coefficients(block.target, h, blocks.duration_or(h)).rate);
     C = std::max(real(0), C + h * row_velocity(blocks.J[std::size_t(last)],
                                               world.bodies.at(block.body1),
                                               world.bodies.at(block.body2)));
@@ -145,7 +146,7 @@ inline void apply_restitution(World& world, Solver& solver, real h) {
       if (!point.live || point.rebound == 0) continue;
       while (block->impulse != &point.impulse[2]) ++block;
       block->target.rate = point.rebound;
-      block->target.upper = (1 + point.rebound_ratio) * *block->impulse / blocks.acts(h);
+      block->target.upper = (1 + point.rebound_ratio) * *block->impulse / blocks.duration_or(h);
     }
   }
   solver.prepare(world.bodies, blocks, 0, h);
@@ -186,7 +187,7 @@ void PointContacts::append_point(ContactPoint& point, const Part& part, const Bo
                    .upper = i == 0 ? friction : point.across},  // Eq. 8-6
                   &point.impulse[std::size_t(i)]);
   }
-  RowTarget target = hold(0);
+  RowSettings target = hold(0);
   target.slop = slop, target.push = push;
   blocks.append(bodies, body1, body2, part, target, &point.impulse[2]);
   if (point.rebound > 0) blocks.after_move = apply_restitution;

@@ -14,14 +14,14 @@ void AddedInertia::begin(int slots, real kappa, real h) {
 void AddedInertia::add(const Bodies& bodies, const Blocks& blocks, JointIslands& islands,
                        SolverMemory& memory) {
   memory.inertia.resize(now_.size());
-  find(blocks.acted, blocks, islands, now_);
+  find(blocks.last_impulse_duration, blocks, islands, now_);
   for (int slot = 0; slot < bodies.slots(); ++slot)
     slow_down(bodies.at(slot), slot, memory);
 }
 
 void AddedInertia::find_next(const Blocks& blocks, JointIslands& islands) {
   next_.assign(now_.size(), Pulled{});
-  find(blocks.acting, blocks, islands, next_);
+  find(blocks.impulse_duration, blocks, islands, next_);
 }
 
 bool AddedInertia::jumped(const Body& body, int slot) const {

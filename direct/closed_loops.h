@@ -1,4 +1,4 @@
-// The closed loops of an island, in which rows may depend on others. Given, there is nothing to edit.
+// The closed loops of an island, in which rows may depend on others.
 #pragma once
 
 #include "chapters/09_direct/elimination_plan.h"

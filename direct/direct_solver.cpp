@@ -102,7 +102,7 @@ void DirectSolver::split_blocks() {
   for (Blocks* list : {&outside_, &left_}) {
     list->clear();
     list->J.clear();
-    list->acting = blocks_->acting;
+    list->impulse_duration = blocks_->impulse_duration;
   }
   for (int k = 0; k < int(islands_.given.size()); ++k) {
     if (islands_.in_matrix(k)) continue;
@@ -171,7 +171,7 @@ void DirectSolver::warm_start(Bodies& bodies, real ratio) {
     JointSystem& system = island.system;
     if (ratio != 0) system.load(bodies);
     system.start(double(ratio));
-    if (ratio != 0) system.store(bodies), system.store_impulses(*blocks_);  // else solve() does both
+    if (ratio != 0) system.store(bodies), system.store_impulses(*blocks_);  // else solve() does
   }
 }
 

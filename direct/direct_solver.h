@@ -12,9 +12,9 @@ namespace joints {
 /// and the positions are corrected with one factor. Bounds are satisfied by an active-set method.
 /// Rows whose bound depends on another impulse (friction), and the rows of these impulses, stay
 /// outside A: iterations over them alternate with a solve of all others. The solver always
-/// calculates in double. It solves each island by itself (JointIslands). Give every joint beta = 1. Source: Baraff 1996 for the idea;
-/// Davis 2006 for sparse factors; Judice and Pires 1994, and Stark and Parker 1995, for the passes
-/// of the active set.
+/// calculates in double. It solves each island by itself (JointIslands). Give every joint beta = 1.
+/// Source: Baraff 1996 for the idea; Davis 2006 for sparse factors; Judice and Pires 1994, and
+/// Stark and Parker 1995, for the passes of the active set.
 class DirectSolver : public Solver {
  public:
   /// Largest number of iterations on the positions (SHAKE) before secants take over, and after them

@@ -108,7 +108,7 @@ void Positions::find_corrected() {
     const JointSystem& system = island.system;
     for (std::size_t k = 0; k < system.blocks.size(); ++k) {
       const int block = system.blocks[k].block;
-      const RowTarget& target = list_[block].target;
+      const RowSettings& target = list_[block].target;
       if (system.is_spring(int(k)) || !target.holds_position) continue;
       const double* const original = &system.A.original[system.row_of(system.blocks[k])];
       for (int i = 0; i < list_[block].rows - (target.rate != 0); ++i)

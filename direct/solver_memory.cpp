@@ -1,4 +1,5 @@
-// The memory of the direct solver as a list of numbers: how many bodies, islands and rows, then all.
+// The memory of the direct solver as a list of numbers: how many bodies, islands and rows, then
+// all of theirs.
 #include "direct/solver_memory.h"
 
 namespace joints {

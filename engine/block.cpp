@@ -3,7 +3,7 @@
 
 namespace joints {
 
-RowTarget without_feedback(RowTarget target) {
+RowSettings without_feedback(RowSettings target) {
   target.beta = target.frequency = 0;
   return target;
 }
@@ -22,7 +22,7 @@ void Blocks::shrink_to_fit() {
 }
 
 bool Blocks::add(const Bodies& bodies, BodyId id1, BodyId id2, short rows, Form form,
-                 const RowTarget& target, real* impulse) {
+                 const RowSettings& target, real* impulse) {
   const int slot1 = bodies.index(id1), slot2 = bodies.index(id2);
   if (bodies.at(slot1).is_static() && bodies.at(slot2).is_static()) {
     std::fill_n(impulse, rows, real(0));

@@ -20,8 +20,8 @@ class World;
 /// Feedback, target rate and bounds of a block's rows. Beta, frequency and damping apply to all
 /// rows; the rate and the bounds apply to the last one.
 /// An aggregate: set only the members that you need, as in
-/// `RowTarget{.beta = real(0.2), .lower = 0}`.
-struct RowTarget {
+/// `RowSettings{.beta = real(0.2), .lower = 0}`.
+struct RowSettings {
   real beta = 0;       ///< fraction of the error C that is removed in one step [1]
   real frequency = 0;  ///< above 0: a spring of this natural frequency [Hz] replaces beta
   real damping = 1;    ///< damping ratio of that spring [1]
@@ -40,33 +40,36 @@ struct RowTarget {
   /// True if the last row enforces C >= 0 and only pushes. It is speculative while C > 0.
   bool one_sided() const { return holds_position && follows == 0 && lower == 0; }
 };
+/// Its name before version 0.10.
+using RowTarget [[deprecated("write RowSettings")]] = RowSettings;
 /// The same target without feedback: hard rows with the same bounds and target rate.
-RowTarget without_feedback(RowTarget target);
+RowSettings without_feedback(RowSettings target);
 
-/// A RowTarget for a step of a given length: bounds of impulses, and the coefficients of soft
+/// A RowSettings for a step of a given length: bounds of impulses, and the coefficients of soft
 /// constraints. Iterative solvers add
 /// dlambda = -mass_scale K^-1 (J V + bias) - impulse_scale lambda to the accumulated impulses.
-struct StepTarget {
+struct SoftCoefficients {
   real rate;           ///< factor of C in the bias [1/s]: beta/h for hard rows
   real softness;       ///< J V + bias + softness K lambda = 0 is solved [1]; 0 for hard rows
   real mass_scale;     ///< relaxation / (1 + softness) [1]
   real impulse_scale;  ///< relaxation - mass_scale: 0 for hard rows [1]
   real lower, upper;   ///< bounds of the last row's accumulated impulse [N s or N m s]; if the
-                       ///< bound follows another impulse, `upper` is the factor RowTarget::upper
+                       ///< bound follows another impulse, `upper` is the factor RowSettings::upper
 };
 /// Computes it from beta, or from frequency and damping: a spring and damper, implicit in time.
 /// \param h step [s] \param relaxation over-relaxation [1]
-/// \param acting time for which the impulses of the step act, Blocks::acts() [s]
+/// \param duration of the impulses of the step, Blocks::duration_or() [s]
 /// Source: Catto, "Soft Constraints", GDC 2011.
-inline StepTarget step_target(const RowTarget& target, real h, real acting, real relaxation = 1) {
+inline SoftCoefficients soft_coefficients(const RowSettings& target, real h, real duration,
+                                          real relaxation = 1) {
   real rate = target.beta / h, softness = 0;
   if (target.frequency != 0) {
     const real omega = 2 * std::numbers::pi_v<real> * target.frequency;
     const real a1 = 2 * target.damping + h * omega;
-    rate = omega / a1, softness = 1 / (acting * omega * a1);
+    rate = omega / a1, softness = 1 / (duration * omega * a1);
   }
   const real mass_scale = relaxation / (1 + softness);
-  const real unit = target.follows == 0 ? acting : real(1);  // forces become impulses, factors stay
+  const real unit = target.follows == 0 ? duration : real(1);  // of a force; factors stay
   return {rate, softness, mass_scale, relaxation - mass_scale, unit * target.lower,
           unit * target.upper};
 }
@@ -80,21 +83,21 @@ struct Block {
   Form form = Form::any;            ///< the form of its rows
   /// True if C is an error to be removed; false for the deflection of a spring of the joint.
   bool corrects = false;
-  RowTarget target;                 ///< feedback, target rate and bounds
+  RowSettings target;                 ///< feedback, target rate and bounds
   real* impulse = nullptr;          ///< the accumulated impulses [N s or N m s], in the joint
 };
 
 /// The part of the error C <= 0 of a one-sided row that the step corrects.
-/// \param rate StepTarget::rate [1/s] \return unit of C, not positive
-inline real corrected(const RowTarget& target, real C, real rate) {
+/// \param rate SoftCoefficients::rate [1/s] \return unit of C, not positive
+inline real corrected(const RowSettings& target, real C, real rate) {
   return std::max(std::min(C + target.slop, real(0)), -target.push / rate);
 }
 
 /// The bias of row `i` of a block, minus the required J V, from its error C.
-/// \param rate StepTarget::rate [1/s] \param h step [s]
+/// \param rate SoftCoefficients::rate [1/s] \param h step [s]
 inline real bias(const Block& block, int i, real C, real rate, real h) {
   if (i < block.rows - 1) return rate * C;
-  const RowTarget& target = block.target;
+  const RowSettings& target = block.target;
   if (!target.one_sided()) return rate * C - target.rate;
   // speculative while C > 0: the gap may close, but not more
   return (C > 0 ? C / h : rate * corrected(target, C, rate)) - target.rate;
@@ -112,16 +115,16 @@ class Blocks {
   /// appends blocks may set it.
   void (*after_move)(World& world, Solver& solver, real h) = nullptr;
   bool errors_only = false;  ///< append only C and no rows of J: for the errors at other poses
-  real acted = 0;  ///< `acting` of the last step [s]; 0 before the first
+  real last_impulse_duration = 0;  ///< that of the last step [s]; 0 before the first
   /// The duration of this step's impulses [s]: h, or the mean of the last h and this one with
   /// leapfrog. An impulse is a force times this.
-  real acting = 0;
+  real impulse_duration = 0;
   /// What a solver keeps for the next step beside the impulses, in an order of its own. It is part
   /// of a world's state.
   mutable std::vector<real> memory;
 
-  /// `acting`, or h if it has not been set, as in a step written by hand. \param h step [s]
-  real acts(real h) const { return acting > 0 ? acting : h; }
+  /// That duration, or h if it has not been set, as in a step written by hand. \param h step [s]
+  real duration_or(real h) const { return impulse_duration > 0 ? impulse_duration : h; }
   int rows() const { return int(C.size()); }  ///< of all blocks
   void clear() { truncate(0); }  ///< removes all blocks, keeps the memory
   void truncate(int count);      ///< removes all blocks but the first `count`
@@ -133,7 +136,7 @@ class Blocks {
   /// \param impulse the accumulated impulses, one per row; the joint owns them
   template <class Part>
   void append(const Bodies& bodies, BodyId id1, BodyId id2, const Part& part,
-              const RowTarget& target, real* impulse) {
+              const RowSettings& target, real* impulse) {
     if (!add(bodies, id1, id2, Part::rows, Part::form, target, impulse)) return;
     const Body &body1 = bodies.at(list.back().body1), &body2 = bodies.at(list.back().body2);
     if (target.holds_position) write_error(part, body1, body2, C.data() + list.back().first);
@@ -143,7 +146,7 @@ class Blocks {
   /// The same from given J and C. \param form the form of the rows
   template <int N>
   void append(const Bodies& bodies, BodyId id1, BodyId id2, const Jacobian<N>& rows_J,
-              const std::type_identity_t<Vector<N>>& rows_C, const RowTarget& target,
+              const std::type_identity_t<Vector<N>>& rows_C, const RowSettings& target,
               real* impulse, Form form = Form::any) {
     static_assert(N >= 1 && N <= 6, "a block has one to six rows");
     if (!add(bodies, id1, id2, N, form, target, impulse)) return;
@@ -155,11 +158,11 @@ class Blocks {
  private:
   // Adds a header and makes room for its rows. Returns false between two static bodies.
   bool add(const Bodies& bodies, BodyId id1, BodyId id2, short rows, Form form,
-           const RowTarget& target, real* impulse);
+           const RowSettings& target, real* impulse);
   void extend_J();  // to the rows of all blocks
 };
 
-/// The row whose impulse bounds block number k, which must follow one (RowTarget::follows).
+/// The row whose impulse bounds block number k, which must follow one (RowSettings::follows).
 /// \return the index of its block in Blocks::list, and its number in that block, from 0
 /// \throws std::invalid_argument if that impulse has no row, or if block k has several rows
 std::pair<int, int> followed_row(const Blocks& blocks, int k);

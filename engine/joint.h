@@ -22,8 +22,8 @@ inline void check_beta(real beta) {
 
 /// The base class of all joints. In each step append() is called once for the solver, and once in
 /// each iteration of position projection. The solver's inner loop never calls a joint. With
-/// Stepping::substeps, "step" means substep here, and values of the last step are those of the last
-/// substep. A new kind of joint is one new class in one new file; nothing else changes.
+/// StepOptions::substeps, "step" means substep here, and values of the last step are those of the
+/// last substep. A new kind of joint is one new class in one new file; nothing else changes.
 class Joint {
  public:
   BodyId body1, body2;    ///< the two bodies that it connects
@@ -31,11 +31,11 @@ class Joint {
   real beta = real(0.2);
   /// Above 0: a spring of this natural frequency [Hz] replaces beta in every row of the joint that
   /// holds a position, including limits, but not in the row of a motor. 0: the rows are hard,
-  /// unless Stepping::frequency makes them soft. Must be finite and not negative, like damping.
+  /// unless StepOptions::frequency makes them soft. Must be finite and not negative, like damping.
   /// Position projection does not correct a soft joint.
   real frequency = 0;
   real damping = 1;       ///< damping ratio of that spring [1]; 1 is critical
-  bool projected = true;  ///< position projection corrects this joint (Stepping::projections)
+  bool projected = true;  ///< position projection corrects this joint (StepOptions::projections)
 
   /// Of two bodies. \throws std::invalid_argument for a joint of a body with itself
   Joint(BodyId body1, BodyId body2) : body1(body1), body2(body2) {
@@ -58,12 +58,12 @@ class Joint {
   }
 
   /// Called once per step, before append(). \param h step [s]
-  /// \param acting time for which the impulses of the step act, Blocks::acting [s]; 0 for h
-  void begin_step(const Bodies& bodies, real h, real acting = 0) {
+  /// \param duration of the impulses of the step, Blocks::impulse_duration [s]; 0 for h
+  void begin_step(const Bodies& bodies, real h, real duration = 0) {
     h_ = h;
-    acted_ = acting > 0 ? acting : h;
+    impulse_duration_ = duration > 0 ? duration : h;
     can_move_ = !bodies.at(int(body1.slot)).is_static() || !bodies.at(int(body2.slot)).is_static();
-    can_move_ ? choose_rows(bodies, h) : drop_rows();
+    can_move_ ? update_active_rows(bodies, h) : deactivate();
   }
   /// True if at least one of its bodies was not static when the last step began.
   bool can_move() const { return can_move_; }
@@ -72,43 +72,45 @@ class Joint {
   virtual void append(const Bodies& bodies, Blocks& blocks) const = 0;
   /// Called before append() whenever position projection may have moved the bodies. A joint that
   /// counts turns measures its angle again.
-  virtual void moved(const Bodies&) {}
+  virtual void after_projection(const Bodies&) {}
   /// Called after each solve if a body can move: appends limits that the new velocities would
   /// overshoot within this step, each at most once, with impulses of zero. The step solves again
   /// until no joint appends a block. \param h step [s]
-  virtual void late_limits(const Bodies&, [[maybe_unused]] real h, Blocks&) {}
+  virtual void activate_missed_limits(const Bodies&, [[maybe_unused]] real h, Blocks&) {}
   /// The limits and motors of the joint, for reports.
-  struct Extras {
+  struct Stats {
     int limits = 0;       ///< 1 if its coordinate has limits, live or not
     int live_limits = 0;  ///< 1 if one of them has a row in this step
     int motors = 0;       ///< 1 if a motor runs
     bool bounded = false;  ///< true if other rows have bounds, as in a rope or a limit
   };
-  virtual Extras extras() const { return {}; }  ///< none by default
+  virtual Stats stats() const { return {}; }  ///< none by default
   /// True for joints that come and go while the world is stepped: a State does not contain them,
   /// and restore() neither adds nor removes nor changes any.
   virtual bool transient() const { return false; }
   /// The mean force of a row over the time for which its impulse acted [N or N m]; 0 before the
   /// first step. \param impulse its accumulated impulse [N s or N m s]
-  real mean_force(real impulse) const { return acted_ > 0 ? impulse / acted_ : real(0); }
+  real mean_force(real impulse) const {
+    return impulse_duration_ > 0 ? impulse / impulse_duration_ : real(0);
+  }
   std::uint64_t number() const { return number_; }  ///< see JointId; 0 outside of a world
   real last_h() const { return h_; }  ///< length of the last step [s], 0 before the first
-  /// The time for which the impulses of the last step acted (Blocks::acting) [s], 0 before the
+  /// The duration of the impulses of the last step, Blocks::impulse_duration [s]; 0 before the
   /// first.
-  real acted() const { return acted_; }
+  real impulse_duration() const { return impulse_duration_; }
 
  protected:
   /// The joint's own part of begin_step(). It may change the joint: count turns, choose the live
   /// rows, set the impulse of a row to zero that is no longer live. \param h step [s]
-  virtual void choose_rows(const Bodies&, [[maybe_unused]] real h) {}
-  /// Called instead of choose_rows() if both bodies are static. Then no row is live.
-  virtual void drop_rows() {}
+  virtual void update_active_rows(const Bodies&, [[maybe_unused]] real h) {}
+  /// Called instead of update_active_rows() if both bodies are static. Then no row is live.
+  virtual void deactivate() {}
   /// For save() and restore() of engine/kept: lists every variable that a later step may read, such
   /// as accumulated impulses, always the same number of them in the same order.
   virtual void serialize(StateStream&) {}
   /// The target of a block that holds a position: hard with beta, or soft with frequency and
   /// damping. \param lower 0 if the last row enforces C >= 0
-  RowTarget hold(real lower = -unbounded) const {
+  RowSettings hold(real lower = -unbounded) const {
     return {.beta = beta, .frequency = frequency, .damping = damping, .lower = lower};
   }
 
@@ -116,7 +118,7 @@ class Joint {
   friend class World;
   friend void serialize(Joint& joint, StateStream& stream);
   bool can_move_ = true;
-  real h_ = 0, acted_ = 0;  // of the last step [s]
+  real h_ = 0, impulse_duration_ = 0;  // of the last step [s]
   std::size_t place_ = 0;     // in World::joints()
   std::uint64_t number_ = 0;  // of all joints that were ever added to a world
 };

@@ -49,7 +49,7 @@ void SequentialImpulses::add(const Bodies& bodies, const Blocks& blocks, const B
                              real h) {
   auto& [prepared, rows, inverse_K] = prepared_;
   const PreparedBlock out{block, int(inverse_K.size()),
-                          step_target(block.target, h, blocks.acts(h), relaxation)};
+                          soft_coefficients(block.target, h, blocks.duration_or(h), relaxation)};
   prepared.push_back(out);
 
   const int n = block.rows;
@@ -114,7 +114,7 @@ void SequentialImpulses::solve_block(Body* bodies, const Row* J, const PreparedB
   J += block.first;
   const PreparedRow* row = &prepared_.rows[std::size_t(block.first)];
   const real* inverse_K = &prepared_.inverse_K[std::size_t(block.first_K)];
-  const StepTarget& target = block.step;
+  const SoftCoefficients& target = block.step;
   Twelve V = velocities(body1, body2);
 
   real e[N];  // velocity error of each row: J V + bias

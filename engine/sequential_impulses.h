@@ -19,7 +19,7 @@ struct PreparedRow {
 /// A block with the data that the inner loop needs.
 struct PreparedBlock : Block {
   int first_K;      ///< index of the first number of K^-1 in Prepared::inverse_K
-  StepTarget step;  ///< its target as scales and bounds
+  SoftCoefficients step;  ///< its target as scales and bounds
 };
 
 /// The prepared blocks of a step: bias, scales, bounds and the inverse of K, all for one h.

@@ -56,7 +56,7 @@ class Solver {
 };
 
 /// A solver that solves one block after the other, in several iterations. For every block it
-/// 1. adds dlambda of StepTarget to the accumulated impulses;
+/// 1. adds dlambda of SoftCoefficients to the accumulated impulses;
 /// 2. clamps the last one to its bounds (-+upper times the impulse that it follows, if it does);
 /// 3. changes those of the other rows as far as the clamp requires (PreparedRow::clamp_response);
 /// 4. changes the velocities. SequentialImpulses::solve_block is the reference.

@@ -12,19 +12,20 @@ void step(World& world, Solver& solver, real h, bool warm_start, const StepMetho
 void begin_step(World& world, Solver& solver, real h, bool warm_start, const StepMethod& method) {
   Blocks& blocks = world.blocks;
   const HeldMatrices matrices(world.bodies);  // for the rows and for their K
-  const real acting = method.integrate_forces(world, h);
-  blocks.acted = blocks.acting;
-  blocks.acting = acting;
+  const real duration = method.integrate_forces(world, h);
+  const real before = blocks.impulse_duration;
+  blocks.last_impulse_duration = before;
+  blocks.impulse_duration = duration;
   world.last_h = h;
 
   const bool first_rows = blocks.J.empty();  // it never shrinks
   blocks.clear();
-  for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h, acting);
+  for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h, duration);
   for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
   if (first_rows) blocks.shrink_to_fit();  // mostly these rows remain
   method.change_blocks(blocks, 0);
   solver.prepare(world.bodies, blocks, 0, h);
-  const real ratio = blocks.acted == 0 ? real(1) : acting / blocks.acted;
+  const real ratio = before == 0 ? real(1) : duration / before;
   solver.warm_start(world.bodies, warm_start ? ratio : real(0));
 }
 
@@ -34,7 +35,7 @@ void solve_step(World& world, Solver& solver, real h, const StepMethod& method) 
   for (;;) {  // late limits: the new velocities would pass them within this step
     const int known = int(blocks.list.size());
     for (const auto& joint : world.joints())
-      if (joint->can_move()) joint->late_limits(world.bodies, h, blocks);
+      if (joint->can_move()) joint->activate_missed_limits(world.bodies, h, blocks);
     if (int(blocks.list.size()) == known) return;
     method.change_blocks(blocks, known);
     solver.prepare(world.bodies, blocks, known, h);

@@ -15,7 +15,7 @@ class StepMethod {
  public:
   virtual ~StepMethod() = default;
   /// Forces change the velocities. \param h step [s]
-  /// \return the time for which the impulses of this step act, Blocks::acting [s]
+  /// \return the time for which the impulses of this step act, Blocks::impulse_duration [s]
   virtual real integrate_forces(World& world, real h) const {
     joints::integrate_forces(world.bodies, world.gravity, h);
     return h;
@@ -36,7 +36,7 @@ void step(World& world, Solver& solver, real h, bool warm_start, const StepMetho
 // Its three parts.
 
 /// Integrates the forces, collects the joints' blocks, prepares them, and performs the warm or cold
-/// start. \throws std::invalid_argument if RowTarget::follows of a block refers to no row
+/// start. \throws std::invalid_argument if RowSettings::follows of a block refers to no row
 void begin_step(World& world, Solver& solver, real h, bool warm_start, const StepMethod& method);
 /// Solves, and again as long as the new velocities would pass limits within this step.
 void solve_step(World& world, Solver& solver, real h, const StepMethod& method);

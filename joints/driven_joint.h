@@ -38,10 +38,10 @@ class DrivenJoint : public Joint,
     check(second);
   }
   /// Measures the coordinate again after position projection.
-  void moved(const Bodies& bodies) override { Free::moved(bodies); }
+  void after_projection(const Bodies& bodies) override { Free::after_projection(bodies); }
   /// Appends the blocks of drives, limit and rigid rows that are live.
   void append(const Bodies& bodies, Blocks& blocks) const override {
-    const auto add = [&](const auto& part, const RowTarget& target, int place) {
+    const auto add = [&](const auto& part, const RowSettings& target, int place) {
       blocks.append(bodies, body1, body2, part, target, &impulse_[place]);
     };
     Free::append_drives(bodies, blocks);
@@ -57,23 +57,23 @@ class DrivenJoint : public Joint,
     Free::append_late(bodies, blocks);
   }
   /// Appends a limit that the new velocities would pass within this step.
-  void late_limits(const Bodies& bodies, real h, Blocks& blocks) override {
+  void activate_missed_limits(const Bodies& bodies, real h, Blocks& blocks) override {
     Free::late(bodies, h, blocks);
   }
   /// Reports a limit if one is set, and a motor if anything drives or brakes the coordinate.
-  Extras extras() const override {
-    Extras out;
+  Stats stats() const override {
+    Stats out;
     Free::report(out);
     return out;
   }
 
  protected:
   /// Chooses the rows of a step. \param h step [s]
-  void choose_rows(const Bodies& bodies, real h) override {
+  void update_active_rows(const Bodies& bodies, real h) override {
     Free::choose(bodies, h);
   }
   /// Between two static bodies: no row is live.
-  void drop_rows() override {
+  void deactivate() override {
     impulse_ = {};
     Free::drop();
   }

@@ -79,9 +79,9 @@ class WithCoordinates : public PartJoint<Rigid> {
   const auto& coordinate() const { return std::get<k>(free_); }
 
   /// Measures the coordinates again after position projection.
-  void moved(const Bodies& bodies) override {
-    PartJoint<Rigid>::moved(bodies);
-    for_each([&](auto& free) { free.moved(bodies); });
+  void after_projection(const Bodies& bodies) override {
+    PartJoint<Rigid>::after_projection(bodies);
+    for_each([&](auto& free) { free.after_projection(bodies); });
   }
   /// Appends the blocks of drives, limits and rigid rows that are live.
   void append(const Bodies& bodies, Blocks& blocks) const override {
@@ -91,13 +91,13 @@ class WithCoordinates : public PartJoint<Rigid> {
     for_each([&](auto& free) { free.append_late(bodies, blocks); });
   }
   /// Appends limits that the new velocities would pass within this step.
-  void late_limits(const Bodies& bodies, real h, Blocks& blocks) override {
-    PartJoint<Rigid>::late_limits(bodies, h, blocks);
+  void activate_missed_limits(const Bodies& bodies, real h, Blocks& blocks) override {
+    PartJoint<Rigid>::activate_missed_limits(bodies, h, blocks);
     for_each([&](auto& free) { free.late(bodies, h, blocks); });
   }
   /// Counts the limits and motors of all coordinates.
-  Joint::Extras extras() const override {
-    Joint::Extras out = PartJoint<Rigid>::extras();
+  Joint::Stats stats() const override {
+    Joint::Stats out = PartJoint<Rigid>::stats();
     for_each([&](auto& free) { free.report(out); });
     return out;
   }
@@ -110,13 +110,13 @@ class WithCoordinates : public PartJoint<Rigid> {
     (check(coordinates), ...);
   }
   /// Chooses the rows of a step. \param h step [s]
-  void choose_rows(const Bodies& bodies, real h) override {
-    PartJoint<Rigid>::choose_rows(bodies, h);
+  void update_active_rows(const Bodies& bodies, real h) override {
+    PartJoint<Rigid>::update_active_rows(bodies, h);
     for_each([&](auto& free) { free.choose(bodies, h); });
   }
   /// Between two static bodies: no row is live.
-  void drop_rows() override {
-    PartJoint<Rigid>::drop_rows();
+  void deactivate() override {
+    PartJoint<Rigid>::deactivate();
     for_each([](auto& free) { free.drop(); });
   }
   /// Saves or restores the coordinates and the impulses.
@@ -299,26 +299,26 @@ class ConeTwistJoint : public WithCoordinates<Point, HingeAngle, SwingAngle, Swi
     if (limited_) cone_.append(bodies, blocks);
     WithCoordinates::append(bodies, blocks);
   }
-  void late_limits(const Bodies& bodies, real h, Blocks& blocks) override {
-    WithCoordinates::late_limits(bodies, h, blocks);
-    if (limited_) cone_.late_limits(bodies, h, blocks);
+  void activate_missed_limits(const Bodies& bodies, real h, Blocks& blocks) override {
+    WithCoordinates::activate_missed_limits(bodies, h, blocks);
+    if (limited_) cone_.activate_missed_limits(bodies, h, blocks);
   }
-  Extras extras() const override {
-    Extras out = WithCoordinates::extras();
+  Stats stats() const override {
+    Stats out = WithCoordinates::stats();
     out.bounded = limited_;
     return out;
   }
 
  protected:
-  void choose_rows(const Bodies& bodies, real h) override {
-    WithCoordinates::choose_rows(bodies, h);
+  void update_active_rows(const Bodies& bodies, real h) override {
+    WithCoordinates::update_active_rows(bodies, h);
     cone_.body1 = body1, cone_.body2 = body2;
     cone_.beta = beta, cone_.frequency = frequency, cone_.damping = damping;
-    cone_.begin_step(bodies, h, acted());
+    cone_.begin_step(bodies, h, impulse_duration());
   }
-  void drop_rows() override {
-    WithCoordinates::drop_rows();
-    cone_.drop_rows();
+  void deactivate() override {
+    WithCoordinates::deactivate();
+    cone_.deactivate();
   }
   void serialize(StateStream& stream) override {
     WithCoordinates::serialize(stream);
@@ -345,16 +345,16 @@ class ConeTwistJoint : public WithCoordinates<Point, HingeAngle, SwingAngle, Swi
 /// about the first axis and a swing about the other two. Each is free, limited, locked (equal
 /// limits) or driven. All are free in the beginning. Rows: Eq. 4-11, Eq. 3-10 and those of
 /// SwingAngle, exact below half a turn of swing.
-class SixDegreesJoint : public WithCoordinates<NoRows, Slide, Slide, Slide, HingeAngle, SwingAngle,
+class SixDofJoint : public WithCoordinates<NoRows, Slide, Slide, Slide, HingeAngle, SwingAngle,
                                                SwingAngle> {
  public:
   /// All coordinates are 0 in the present poses. \param anchor common point [m, world]
   /// \param axis the first axis, world, of any length \param across the second one; its part along
   /// the first is removed
   /// \throws std::invalid_argument unless all are finite and across is not parallel to the axis
-  SixDegreesJoint(const Bodies& bodies, BodyId id1, BodyId id2, const vec3& anchor,
+  SixDofJoint(const Bodies& bodies, BodyId id1, BodyId id2, const vec3& anchor,
                   const vec3& axis, const vec3& across)
-      : SixDegreesJoint(bodies[id1], bodies[id2], id1, id2, point_at(bodies[id1], bodies[id2],
+      : SixDofJoint(bodies[id1], bodies[id2], id1, id2, point_at(bodies[id1], bodies[id2],
                                                                      anchor),
                         frame_of(bodies[id1], axis, across)) {}
   auto& slide1() { return coordinate<0>(); }  ///< displacement along the first axis [m]
@@ -365,7 +365,7 @@ class SixDegreesJoint : public WithCoordinates<NoRows, Slide, Slide, Slide, Hing
   auto& swing3() { return coordinate<5>(); }  ///< rotation about the third axis [rad]
 
  private:
-  SixDegreesJoint(const Body& a, const Body& b, BodyId id1, BodyId id2, const Point& at,
+  SixDofJoint(const Body& a, const Body& b, BodyId id1, BodyId id2, const Point& at,
                   const std::array<vec3, 3>& frame)
       : WithCoordinates(id1, id2, {}, {at.anchor1_local, at.anchor2_local, frame[0]},
                         {at.anchor1_local, at.anchor2_local, frame[1]},
@@ -374,6 +374,9 @@ class SixDegreesJoint : public WithCoordinates<NoRows, Slide, Slide, Slide, Hing
                         {frame[0], frame[1], normalize(to_local(b, to_world(a, frame[0])))},
                         {frame[0], frame[2], normalize(to_local(b, to_world(a, frame[0])))}) {}
 };
+/// Its name before version 0.10.
+using SixDegreesJoint [[deprecated("write SixDofJoint")]] = SixDofJoint;
+
 
 }  // namespace joints
 /// @}

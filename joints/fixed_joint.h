@@ -32,7 +32,7 @@ class FixedJoint : public Joint {
     check_lever("anchor2_local", bodies.at(int(body2.slot)), weld.first.anchor2_local);
   }
   void append(const Bodies& bodies, Blocks& blocks) const override {
-    const RowTarget target = hold();
+    const RowSettings target = hold();
     if (whole) {
       blocks.append(bodies, body1, body2, weld, target, impulse_.data());
     } else {
@@ -43,7 +43,7 @@ class FixedJoint : public Joint {
 
   /// Force on body 2 and torque on it about the anchor in the last step, exercise 5.2.
   Reaction load() const {
-    return acted() > 0 ? carried(impulse_, acted()) : Reaction{};
+    return impulse_duration() > 0 ? carried(impulse_, impulse_duration()) : Reaction{};
   }
   /// The same about another point, for example the middle of the seam whose strength is known. The
   /// result does not depend on the anchor. \param point [m, world]

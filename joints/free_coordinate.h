@@ -102,8 +102,8 @@ class FreeCoordinate {
     if constexpr (requires { now.expected; }) now.expected = expected();
     return now.error(bodies[joint_.body1], bodies[joint_.body2]);
   }
-  /// The rate of the coordinate [rad/s or m/s]. With Stepping::leapfrog it lags by half a step;
-  /// synchronised() in step.h returns bodies without this lag.
+  /// The rate of the coordinate [rad/s or m/s]. With StepOptions::leapfrog it lags by half a step;
+  /// velocities_at_pose_time() in step.h returns bodies without this lag.
   real speed(const Bodies& bodies) const {
     const Body &a = bodies[joint_.body1], &b = bodies[joint_.body2];
     return row_velocity(coordinate_.jacobian(a, b), a, b);
@@ -137,7 +137,7 @@ class FreeCoordinate {
     if (!data_ || data_->known == Known::idle) return;
     const Body &a = at(bodies, joint_.body1), &b = at(bodies, joint_.body2);
     const bool away = data_->leeway.is_slow(a, b, h) && data_->leeway.still_near(a, b);
-    if (!away || data_->known == Known::value) choose_rows(bodies, h, away);
+    if (!away || data_->known == Known::value) update_active_rows(bodies, h, away);
   }
   /// Appends the rows of spring, friction and motor that act.
   void append_drives(const Bodies& bodies, Blocks& blocks) const {
@@ -152,7 +152,7 @@ class FreeCoordinate {
     return {coordinate_, sign > 0 ? data_->range.lower : data_->range.upper, sign};
   }
   /// The target of its row.
-  RowTarget limit_target() const {
+  RowSettings limit_target() const {
     return {.beta = joint_.beta, .frequency = joint_.frequency, .damping = joint_.damping,
             .lower = data_->held() ? -unbounded : real(0)};
   }
@@ -173,7 +173,7 @@ class FreeCoordinate {
       find_late(bodies, h, blocks);
   }
   /// Measures again if projection has moved the bodies so far that a turn could be missed.
-  void moved(const Bodies& bodies) {
+  void after_projection(const Bodies& bodies) {
     if (!data_ || !(data_->limited() || data_->pushes())) return;
     if (data_->leeway.still_near(bodies[joint_.body1], bodies[joint_.body2])) return;
     measure(bodies);
@@ -181,14 +181,14 @@ class FreeCoordinate {
   }
   /// The mean torque or force of an impulse in the last step. \param shift is added to it
   real force(real impulse, real shift = 0) const {
-    return joint_.acted() > 0 ? joint_.mean_force(impulse) + shift : real(0);
+    return joint_.impulse_duration() > 0 ? joint_.mean_force(impulse) + shift : real(0);
   }
   /// Sets all impulses to zero: both bodies are static.
   void drop() {
     if (data_) data_->now = {}, limit_impulse() = 0;
   }
   /// Adds the limits and the motors, friction and springs to a report.
-  void report(Joint::Extras& extras) const {
+  void report(Joint::Stats& extras) const {
     if (!data_) return;
     extras.limits += data_->limited();
     extras.live_limits += data_->now.limit_sign != 0 || data_->now.late_sign != 0;
@@ -251,10 +251,10 @@ class FreeCoordinate {
     bool limited() const { return range.lower > -unbounded || range.upper < unbounded; }
     bool held() const { return range.lower == range.upper; }
     bool servo() const { return target < unbounded; }
-    bool pushes() const { return motor.strength > 0 || friction > 0 || spring.acts(); }
+    bool pushes() const { return motor.strength > 0 || friction > 0 || spring.duration_or(); }
     // How far x may move until it has to be measured.
     real slack() const {
-      return servo() || spring.acts() ? 0 : std::min(x - range.lower, range.upper - x);
+      return servo() || spring.duration_or() ? 0 : std::min(x - range.lower, range.upper - x);
     }
   };
   // Access for a change of settings: makes the next step measure.
@@ -268,7 +268,7 @@ class FreeCoordinate {
   // Unchecked access: the step has validated the ids.
   static const Body& at(const Bodies& bodies, BodyId id) { return bodies.at(int(id.slot)); }
   real& limit_impulse() const { return limit_impulse_ ? *limit_impulse_ : data_->limit_impulse; }
-  void append(const Bodies& bodies, Blocks& blocks, const auto& part, const RowTarget& target,
+  void append(const Bodies& bodies, Blocks& blocks, const auto& part, const RowSettings& target,
               real& impulse) const {
     blocks.append(bodies, joint_.body1, joint_.body2, part, target, &impulse);
   }
@@ -292,7 +292,7 @@ class FreeCoordinate {
     append(bodies, blocks, limit(sign), limit_target(), impulse);
   }
 
-  [[gnu::noinline]] void choose_rows(const Bodies& bodies, real h, bool away) {
+  [[gnu::noinline]] void update_active_rows(const Bodies& bodies, real h, bool away) {
     Data& data = *data_;
     Rows& now = data.now;
     const real before = std::exchange(now.limit_sign, real(0));
@@ -317,7 +317,7 @@ class FreeCoordinate {
     if (now.limit_sign != before) limit_impulse() = 0;
     if (data.motor.strength == 0) now.motor_impulse = 0;
     if (data.friction == 0) now.friction_impulse = 0;
-    if (!data.spring.acts()) now.spring_impulse = 0;
+    if (!data.spring.duration_or()) now.spring_impulse = 0;
     now.late_sign = now.late_impulse = 0;
   }
   [[gnu::noinline]] void find_late(const Bodies& bodies, real h, Blocks& blocks) {
@@ -337,7 +337,7 @@ class FreeCoordinate {
   // bounds are shifted by the weaker strength in opposite directions instead; the sum is unchanged.
   [[gnu::noinline]] void append_acting(const Bodies& bodies, Blocks& blocks) const {
     const Data& data = *data_;
-    if (data.spring.acts()) {
+    if (data.spring.duration_or()) {
       const Body &a = at(bodies, joint_.body1), &b = at(bodies, joint_.body2);
       const Row J = coordinate_.jacobian(a, b);
       Row response;

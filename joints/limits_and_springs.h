@@ -61,7 +61,7 @@ struct Spring {
   real rest = 0;              ///< the value of x at which it exerts no force [rad]
   real strength = unbounded;  ///< greatest torque in either direction [N m]
   /// True if it has a row.
-  bool acts() const { return strength > 0 && (stiffness > 0 || damping > 0); }
+  bool duration_or() const { return strength > 0 && (stiffness > 0 || damping > 0); }
 };
 /// Validates it. \throws std::invalid_argument unless all numbers are finite (the strength may be
 /// infinite), the rest position is within max_limit and nothing else is negative
@@ -74,7 +74,7 @@ inline void check(const Spring& spring) {
   require(spring.strength >= 0, "strength", spring.strength, "must not be negative [N m or N]");
 }
 
-/// A natural frequency [Hz] and a damping ratio [1], as in RowTarget and Joint.
+/// A natural frequency [Hz] and a damping ratio [1], as in RowSettings and Joint.
 struct Tuning {
   real frequency = 0;  ///< [Hz]
   real damping = 0;    ///< [1]

@@ -47,15 +47,15 @@ class CountingJoint : public PartJoint<Counted> {
     return next_.error(bodies[this->body1], bodies[this->body2]);
   }
   /// Measures again where position projection has moved the bodies.
-  void moved(const Bodies& bodies) override { count(this->part, bodies, 0); }
+  void after_projection(const Bodies& bodies) override { count(this->part, bodies, 0); }
   /// Appends nothing. With the new velocities it expects the angles at the end of the step.
-  void late_limits(const Bodies& bodies, real h, Blocks&) override {
+  void activate_missed_limits(const Bodies& bodies, real h, Blocks&) override {
     turns(next_) = turns(this->part);
     count(next_, bodies, h);
   }
 
  protected:
-  void choose_rows(const Bodies& bodies, real) override {
+  void update_active_rows(const Bodies& bodies, real) override {
     turns(this->part) = turns(next_);
     count(this->part, bodies, 0);
     turns(next_) = turns(this->part);
@@ -156,7 +156,7 @@ class EndRows {
   /// \param h step [s] \param target of the row \param sign of its impulse in sum()
   template <class Part>
   void append(const Part& part, const Bodies& bodies, BodyId body1, BodyId body2, real h,
-              const RowTarget& target, Blocks& blocks, real sign = 1) {
+              const RowSettings& target, Blocks& blocks, real sign = 1) {
     static_assert(Part::rows == 1 && Part::one_sided && Part::form == Form::angular);
     const Body &a = bodies[body1], &b = bodies[body2];
     Body end1 = a, end2 = b;
@@ -212,19 +212,20 @@ class ConeJoint : public PartJoint<Cone> {
   /// The torque on body 2 in the last step [N m, world]. The rows for the end of the step have
   /// directions of their own.
   vec3 torque() const {
-    return acted() > 0 ? (impulse()[0] * axis_ + end_.twist()) / acted() : vec3(0);
+    const real duration = impulse_duration();
+    return duration > 0 ? (impulse()[0] * axis_ + end_.twist()) / duration : vec3(0);
   }
   /// Appends rows for the end of the step.
-  void late_limits(const Bodies& bodies, real h, Blocks& blocks) override {
+  void activate_missed_limits(const Bodies& bodies, real h, Blocks& blocks) override {
     end_.append(part, bodies, body1, body2, h, hold(0), blocks);
   }
 
  protected:
-  void choose_rows(const Bodies& bodies, real) override {
+  void update_active_rows(const Bodies& bodies, real) override {
     axis_ = part.jacobian(bodies[body1], bodies[body2]).w2;
     end_.clear();
   }
-  void drop_rows() override { end_.clear(); }
+  void deactivate() override { end_.clear(); }
   /// Saves or restores the impulses of all rows.
   void serialize(StateStream& stream) override {
     PartJoint::serialize(stream);
@@ -262,7 +263,7 @@ class OwnJoint : public Joint {
             "part: must have 1 to 6 rows and the functions error and jacobian");
   }
   void append(const Bodies& bodies, Blocks& blocks) const override { append_if<1>(bodies, blocks); }
-  Extras extras() const override { return {.bounded = part.one_sided}; }  ///< a bound, or none
+  Stats stats() const override { return {.bounded = part.one_sided}; }  ///< a bound, or none
 
  protected:
   void serialize(StateStream& stream) override { stream(impulse_); }

@@ -47,7 +47,7 @@ class PartJoint : public Joint {
     const real lower = Part::one_sided ? real(0) : -unbounded;
     blocks.append(bodies, body1, body2, part, hold(lower), impulse_.data());
   }
-  Extras extras() const override { return {.bounded = Part::one_sided}; }  ///< ropes have bounds
+  Stats stats() const override { return {.bounded = Part::one_sided}; }  ///< ropes have bounds
   /// The accumulated impulse of each row in the last step [N s, or N m s for an angular row].
   const Vector<Part::rows>& impulse() const { return impulse_; }
   /// The mean force of each row in the last step, impulse / h [N or N m].

@@ -23,7 +23,7 @@ class BulletContacts : private btOverlapFilterCallback {
   /// [m].
   real stay = real(0.001);
 
-  /// \param h step [s] \param substeps Stepping::substeps
+  /// \param h step [s] \param substeps StepOptions::substeps
   BulletContacts(World& world, real h, int substeps = 4)
       : contacts(world, h, substeps), world_(world) {
     pairs_.getOverlappingPairCache()->setOverlapFilterCallback(this);

@@ -27,7 +27,7 @@ namespace joints::bench {
 /// Published implementations compute C and J anew for each constraint; here they are computed anew
 /// once per iteration, and within the iteration C changes with J d. With one iteration per substep,
 /// as Macklin et al. 2019 recommend, the two differ by terms of second order in the
-/// correction. Springs that Stepping::frequency would add are not added. Angular velocities must
+/// correction. Springs that StepOptions::frequency would add are not added. Angular velocities must
 /// stay below pi/h.
 class Xpbd : public Solver {
  public:
@@ -48,7 +48,7 @@ class Xpbd : public Solver {
   void move(Bodies& bodies);
 
   Blocks blocks_;                       // at the present poses
-  real acting_ = 0;                     // Blocks::acts() of the step
+  real acting_ = 0;                     // Blocks::duration_or() of the step
   std::vector<Displacement> d_, done_;  // since the beginning of the step; as far as poses have it
   std::vector<quat> begin_;             // the orientations at the beginning of the step
   std::vector<real*> known_;            // the blocks' impulses, of all iterations of this step

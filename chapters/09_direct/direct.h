@@ -50,9 +50,9 @@ struct Edge {
   int at;  ///< where its numbers begin: rows of the neighbour x rows of the node, row by row
 };
 
-/// A = J M^-1 J^T of all joints (Eq. 9-2, eliminated by Eq. 9-4). It is symmetric, and zero wherever
-/// two blocks have no moving body in common. Stored are the diagonal blocks, the nonzero blocks
-/// below them, and the blocks that elimination fills in.
+/// A = J M^-1 J^T of all joints (Eq. 9-2, eliminated by Eq. 9-4). It is symmetric, and zero
+/// wherever two blocks have no moving body in common. Stored are the diagonal blocks, the nonzero
+/// blocks below them, and the blocks that elimination fills in.
 struct JointMatrix {
   std::vector<Node> nodes;       ///< in the order of elimination, and one more after the last
   std::vector<Edge> edges;       ///< of all nodes; those of a node in the order of elimination
@@ -90,7 +90,7 @@ double inverse_pivot(double pivot, double original);
 // ---- time ---------------------------------------------------------------------------------------
 
 #ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
-/// Exercise 9.5: one step of second order, Eq. 9-9: step() with Stepping::leapfrog, for a world
+/// Exercise 9.5: one step of second order, Eq. 9-9: step() with StepOptions::leapfrog, for a world
 /// in which no row is at a bound. \param solver its blocks are solved once \param h [s]
 void second_order_step(World& world, Solver& solver, real h);
 #endif

@@ -110,11 +110,11 @@ void JointSystem::prepare(const Blocks& given, const real* expected, real h) {
   bounded.clear();
   factored = springs_ = loops_ = false;
   passes = wrong = 0;
-  const real acting = given.acts(h);
+  const real acting = given.duration_or(h);
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     const Block& block = given.list[blocks[k].block];
     set_rows(blocks[k], &given.J[block.first]);
-    const StepTarget target = step_target(block.target, h, acting);
+    const SoftCoefficients target = soft_coefficients(block.target, h, acting);
     softness_[k] = double(target.softness);
     springs_ = springs_ || softness_[k] > 0;
     loops_ = loops_ || blocks[k].loop >= 0;

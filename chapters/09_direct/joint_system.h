@@ -1,5 +1,5 @@
-// All joints of a system as one equation A lambda = -(J V + b): its matrix, velocities, impulses and
-// bounds. Given, there is nothing to edit here.
+// All joints of a system as one equation A lambda = -(J V + b): its matrix, velocities, impulses
+// and bounds. Given, there is nothing to edit here.
 #pragma once
 
 #include <limits>
@@ -136,7 +136,7 @@ class JointSystem {
   std::vector<InverseMass> masses_;     // of each column
   std::vector<HalfRow> velocities_;     // of each column
   std::vector<double> wanted_;          // required J V, by rows
-  std::vector<double> softness_;        // StepTarget::softness of each block
+  std::vector<double> softness_;        // SoftCoefficients::softness of each block
   bool springs_ = false, loops_ = false;  // there are some
   bool inside_ = false;                 // the impulses stay in their bounds
   int left_ = 0;                        // rows that have come to a bound in this pass

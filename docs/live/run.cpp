@@ -40,7 +40,7 @@ LiveRun::LiveRun(const Entry& entry, std::optional<double> ratio)
 
 PageSettings LiveRun::settings() const {
   const Scene& scene = *live_.scene;
-  const Stepping& how = scene.stepping;
+  const StepOptions& how = scene.stepping;
   return {beta_, double(scene.solver.iterations), double(scene.h), double(how.substeps),
           double(how.warm_start), double(how.projections), double(scene.solver.relaxation),
           double(how.frequency), double(how.damping), double(is_direct_), double(direct_.newton),
@@ -170,7 +170,7 @@ void residuals(const Bodies& bodies, const Blocks& blocks, const Block& block, r
                double* out) {
   const Row* J = &blocks.J[std::size_t(block.first)];
   const Body &a = bodies.at(block.body1), &b = bodies.at(block.body2);
-  const StepTarget now = step_target(block.target, h, blocks.acts(h));
+  const SoftCoefficients now = soft_coefficients(block.target, h, blocks.duration_or(h));
   Row response[6];
   real K[36];
   if (now.softness != 0) {
@@ -183,10 +183,11 @@ void residuals(const Bodies& bodies, const Blocks& blocks, const Block& block, r
     for (int j = 0; now.softness != 0 && j < block.rows; ++j)
       e += now.softness * K[i * block.rows + j] * block.impulse[j];
     if (i == block.rows - 1) {  // at a bound it may have any rate that leads away from it
-      const RowTarget& target = block.target;
+      const RowSettings& target = block.target;
       const bool follows = target.follows != 0;
-      const real upper = target.upper * (follows ? block.impulse[target.follows] : blocks.acts(h));
-      const real lower = follows ? -upper : blocks.acts(h) * target.lower;
+      const real duration = blocks.duration_or(h);
+      const real upper = target.upper * (follows ? block.impulse[target.follows] : duration);
+      const real lower = follows ? -upper : duration * target.lower;
       if (block.impulse[i] <= lower && e > 0) e = 0;
       if (block.impulse[i] >= upper && e < 0) e = 0;
     }

@@ -55,7 +55,7 @@ class GapMeter {
 /// Kinetic energy of one body [J], 0 for a static one.
 double kinetic_energy(const Body& body);
 /// Kinetic and potential energy of all bodies [J], zero at rest at the origin. With leapfrog the
-/// velocities belong to the time of the poses only for the bodies of synchronised().
+/// velocities belong to the time of the poses only for the bodies of velocities_at_pose_time().
 double energy(std::span<const Body> bodies, const vec3& gravity);
 /// Momentum of bodies without the static ones.
 struct Momentum {

@@ -13,7 +13,7 @@ Plan plan(const World& world, bool warm_start, const Solver* solver) {
   }
   for (const auto& joint : world.joints()) {
     joint->append(world.bodies, blocks);
-    const Joint::Extras extras = joint->extras();
+    const Joint::Stats extras = joint->stats();
     plan.limits += extras.limits;
     plan.live_limits += extras.live_limits;
     plan.motors += extras.motors;

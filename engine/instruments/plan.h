@@ -13,7 +13,7 @@ struct Plan {
   int bodies = 0, static_bodies = 0;             ///< all of them; of these the static ones
   int blocks = 0, rows = 0;                      ///< active ones
   int limits = 0, live_limits = 0, motors = 0;   ///< of all joints
-  bool warm_start = false;                       ///< as in Stepping
+  bool warm_start = false;                       ///< as in StepOptions
   std::string solver{};                          ///< Solver::description()
   std::string line() const;  ///< "bodies 12 (2 static), blocks 19, rows 34, ..."
 };

@@ -22,7 +22,7 @@ double contraction_rate(const std::function<double()>& iterate, int most) {
 }
 
 double contraction_rate(World& world, int most, real h, SequentialImpulses solver,
-                        const Stepping& how) {
+                        const StepOptions& how) {
   const State as_it_was = save(world);
   begin_step(world, solver, h, how);
   std::vector<double> before(world.blocks.C.size(), 0.0);

@@ -21,7 +21,7 @@ double contraction_rate(const std::function<double()>& iterate, int most);
 /// \param h length of that step [s] \param solver with its settings, of which `iterations` is not
 /// used \param how warm or cold, hard or soft
 double contraction_rate(World& world, int most, real h = real(1) / 60,
-                        SequentialImpulses solver = {}, const Stepping& how = {});
+                        SequentialImpulses solver = {}, const StepOptions& how = {});
 
 }  // namespace joints
 /// @}

@@ -16,7 +16,7 @@ struct Scene {
   std::string name;               ///< for the plan, the summary and the recording
   World world{};                  ///< bodies and joints
   SequentialImpulses solver{};    ///< with its settings
-  Stepping stepping{};            ///< how a step advances
+  StepOptions stepping{};            ///< how a step advances
   std::vector<Mark> marks{};      ///< one per joint: points and axes that it should keep together
   std::vector<Shape> shapes{};    ///< one per body, in their order
   std::vector<Segment> segments{};  ///< lines of the recording, beside those of the marks

@@ -45,7 +45,7 @@ void require_shape(const State& state, const State& own) {
 // Sets a world to a state of the same structure.
 void write(World& world, const State& state) {
   world.last_h = state.last_h;
-  world.blocks.acting = state.acted;
+  world.blocks.impulse_duration = state.impulse_duration;
   world.blocks.memory = state.memory;
   StateStream bodies(state.bodies.data()), numbers(state.joints.data());
   for (const int slot : state.slots) exchange(world.bodies.at(slot), bodies);
@@ -58,7 +58,7 @@ void write(World& world, const State& state) {
 State save(const World& world) {
   State out;
   out.last_h = world.last_h;
-  out.acted = world.blocks.acting;
+  out.impulse_duration = world.blocks.impulse_duration;
   out.memory = world.blocks.memory;
   StateStream bodies(out.bodies), numbers(out.joints);
   for (int slot = 0; slot < world.bodies.slots(); ++slot) {
@@ -82,7 +82,8 @@ void restore(World& world, const State& state) {
   require_shape(state, own);
   try {
     write(world, state);
-    require(finite(state.acted) && state.acted >= 0, "state: acted", state.acted,
+    require(finite(state.impulse_duration) && state.impulse_duration >= 0,
+            "state: impulse_duration", state.impulse_duration,
             "must be finite and not negative [s]");
     for (const real number : state.memory)
       require(finite(number), "state: memory", number, "must be finite");

@@ -22,7 +22,7 @@ namespace joints {
 /// the last step is in `memory`.
 struct State {
   real last_h = 0;          ///< World::last_h [s]
-  real acted = 0;           ///< Blocks::acting [s]
+  real impulse_duration = 0;          ///< Blocks::impulse_duration [s]
   std::vector<real> memory;  ///< Blocks::memory
   std::vector<int> slots;   ///< of the bodies in their array
   std::vector<real> bodies;  ///< 19 for each: x, q (w, x, y, z), v, w, force, torque

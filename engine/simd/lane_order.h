@@ -15,7 +15,7 @@ namespace joints {
 struct Member {
   BodyPair bodies;  ///< slots; -1: a body that does not move
   int kind : 9 = 0;      ///< only blocks of one kind are solved side by side
-  int follows : 23 = 0;  ///< RowTarget::follows
+  int follows : 23 = 0;  ///< RowSettings::follows
   bool operator==(const Member&) const = default;  ///< the same in all of these
 };
 

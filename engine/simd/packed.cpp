@@ -10,7 +10,7 @@ namespace joints {
 namespace {
 
 BlockKind kind_of(const Block& block, const Body& body1, const Body& body2) {
-  const RowTarget& target = block.target;
+  const RowSettings& target = block.target;
   const bool follows = target.follows != 0, point = block.form == Form::point;
   const bool hard = !follows & (target.frequency == 0) & (target.lower == -unbounded) &
                     (target.upper == unbounded);  // without branches
@@ -34,7 +34,7 @@ struct Source {
   const Row* J;
   const real* C;
   const Body &body1, &body2;
-  StepTarget target;
+  SoftCoefficients target;
   real h;
   bool driven;  // there are static bodies with a velocity
 };
@@ -236,7 +236,7 @@ void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, int first, rea
     add_groups(list, first);
   }
   const bool driven = std::any_of(bodies.begin(), bodies.end(), drives);
-  const real acting = list.acts(h);
+  const real duration = list.duration_or(h);
   for (std::size_t k = begin; k < groups_.size(); ++k) {
     // a function for each kind of record: in a single one, less would be inlined
     const auto fill_group = [&](auto& record) __attribute__((noinline)) {
@@ -245,7 +245,7 @@ void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, int first, rea
         const std::size_t row = std::size_t(block.first);
         fill(record,
              {block, &list.J[row], &list.C[row], bodies.at(block.body1), bodies.at(block.body2),
-              step_target(block.target, h, acting, relaxation), h, driven},
+              soft_coefficients(block.target, h, duration, relaxation), h, driven},
              lane);
       });
     };

@@ -82,7 +82,7 @@ struct SingleRows {
 /// Only for a block that is soft or bounded.
 template <BlockKind kind, class Number>
 struct Bounds {
-  Number impulse_scale, lower, upper;  ///< as in StepTarget
+  Number impulse_scale, lower, upper;  ///< as in SoftCoefficients
   /// Kinv[i][last] / Kinv[last][last]: the change of an impulse per unit cut off the last one.
   Number clamp_response[kind.rows];
 };

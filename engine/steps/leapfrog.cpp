@@ -8,9 +8,9 @@
 namespace joints {
 
 real Leapfrog::integrate_forces(World& world, real h) const {
-  const real acting = (world.last_h + h) / 2;
-  kick(world.bodies, world.gravity, acting);  // Eq. 9-9
-  return acting;
+  const real duration = (world.last_h + h) / 2;
+  kick(world.bodies, world.gravity, duration);  // Eq. 9-9
+  return duration;
 }
 
 void Leapfrog::move(World& world, Solver& solver, real h) const {
@@ -19,7 +19,7 @@ void Leapfrog::move(World& world, Solver& solver, real h) const {
   turn(world.bodies, h / 2);
 }
 
-Bodies synchronised(World& world, Solver& solver, bool warm_start) {
+Bodies velocities_at_pose_time(World& world, Solver& solver, bool warm_start) {
   if (world.last_h == 0) return world.bodies;
   const State now = save(world);
   const real half = world.last_h / 2;
@@ -29,9 +29,9 @@ Bodies synchronised(World& world, Solver& solver, bool warm_start) {
   for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
   for (Block& block : blocks.list)
     if (block.corrects) block.target = without_feedback(block.target);
-  const real acted = std::exchange(blocks.acting, half);
+  const real before = std::exchange(blocks.impulse_duration, half);
   solver.prepare(world.bodies, blocks, 0, half);
-  solver.warm_start(world.bodies, warm_start ? half / acted : real(0));
+  solver.warm_start(world.bodies, warm_start ? half / before : real(0));
   solver.solve(world.bodies);
   const Bodies out = world.bodies;
   restore(world, now);

@@ -23,7 +23,7 @@ class Leapfrog : public StepMethod {
 /// World::blocks are empty afterwards. Source: Andersen, "Rattle", 1983.
 /// \param solver a separate solver, which is not used for the steps
 /// \param warm_start whether the steps start from the impulses of the last one
-Bodies synchronised(World& world, Solver& solver, bool warm_start);
+Bodies velocities_at_pose_time(World& world, Solver& solver, bool warm_start);
 
 }  // namespace joints
 /// @}

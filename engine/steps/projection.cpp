@@ -54,7 +54,7 @@ void project_positions(World& world) {
   Blocks& blocks = world.blocks;
   const int known = int(blocks.list.size());  // the blocks of the step are kept
   for (const auto& joint : world.joints()) {
-    joint->moved(world.bodies);
+    joint->after_projection(world.bodies);
     if (!joint->projected) continue;
     joint->append(world.bodies, blocks);
     for (int k = known; k < int(blocks.list.size()); ++k) {

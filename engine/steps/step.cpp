@@ -13,7 +13,7 @@ namespace {
 
 class Chosen : public StepMethod {
  public:
-  explicit Chosen(const Stepping& how) : how_(how) {}
+  explicit Chosen(const StepOptions& how) : how_(how) {}
   real integrate_forces(World& world, real h) const override {
     return how_.leapfrog ? Leapfrog().integrate_forces(world, h)
                          : StepMethod::integrate_forces(world, h);
@@ -27,18 +27,18 @@ class Chosen : public StepMethod {
   }
 
  private:
-  const Stepping& how_;
+  const StepOptions& how_;
 };
 
 }  // namespace
 
-void check_input(const World& world, const Solver& solver, real h, const Stepping& how) {
+void check_input(const World& world, const Solver& solver, real h, const StepOptions& how) {
   check_input(world, solver, h);
   require(how.projections >= 0, "projections: must not be negative");
   check_softness(how.frequency, how.damping, h);
 }
 
-void step(World& world, Solver& solver, real h, const Stepping& how) {
+void step(World& world, Solver& solver, real h, const StepOptions& how) {
   require(how.substeps > 0, "substeps: there must be at least one");
   const real h_sub = h / real(how.substeps);
   check_input(world, solver, h_sub, how);  // once for all substeps
@@ -50,12 +50,12 @@ void step(World& world, Solver& solver, real h, const Stepping& how) {
   }
 }
 
-void begin_step(World& world, Solver& solver, real h, const Stepping& how) {
+void begin_step(World& world, Solver& solver, real h, const StepOptions& how) {
   check_input(world, solver, h, how);
   begin_step(world, solver, h, how.warm_start, Chosen(how));
 }
 
-void end_step(World& world, Solver& solver, real h, const Stepping& how) {
+void end_step(World& world, Solver& solver, real h, const StepOptions& how) {
   end_step(world, solver, h, Chosen(how));
   for (int i = 0; i < how.projections; ++i) project_positions(world);
   check_motion(world.bodies);

@@ -27,8 +27,8 @@ void TwoPassImpulses::advance(Bodies& bodies, real h, const Append& append) {
 
 // Gives a block the scales and biases of another target with the same bounds.
 void TwoPassImpulses::retarget(PreparedBlock& block, const Blocks& blocks,
-                                  const RowTarget& target, real h) {
-  const StepTarget now = step_target(target, h, blocks.acts(h), relaxation);
+                                  const RowSettings& target, real h) {
+  const SoftCoefficients now = soft_coefficients(target, h, blocks.duration_or(h), relaxation);
   const real scale = now.mass_scale / block.step.mass_scale;
   for (int i = 0; i < block.rows * block.rows; ++i)
     prepared_.inverse_K[std::size_t(block.first_K + i)] *= scale;

@@ -32,7 +32,7 @@ class TwoPassImpulses : public SequentialImpulses {
   void advance(Bodies& bodies, real h, const Append& append) override;
 
  private:
-  void retarget(PreparedBlock& block, const Blocks& blocks, const RowTarget& target, real h);
+  void retarget(PreparedBlock& block, const Blocks& blocks, const RowSettings& target, real h);
   void relax(Bodies& bodies, real h);
   void advance_split(Bodies& bodies, real h);
 

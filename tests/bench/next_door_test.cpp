@@ -36,7 +36,7 @@ class Straight : public Joint {
   Row J;
   vec3 begin1, begin2;
   real C = 0;
-  RowTarget target;
+  RowSettings target;
   mutable real impulse = 0;
 
   using Joint::Joint;
@@ -100,7 +100,7 @@ double lacking(Kind solver, World world, int iterations) {
 
 // A step's velocities by a solver with so many iterations.
 template <class Kind>
-Column after_step(Kind solver, World world, int iterations, const Stepping& how = {}) {
+Column after_step(Kind solver, World world, int iterations, const StepOptions& how = {}) {
   solver.iterations = iterations;
   begin_step(world, solver, sixtieth, how);
   solver.solve(world.bodies);
@@ -131,7 +131,7 @@ TEST_CASE("conjugate gradients end after as many iterations as rows, or half as 
 
 TEST_CASE("conjugate gradients on soft rows find what Gauss-Seidel ends with, warm or cold") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    const Stepping how{.warm_start = seed % 2 == 0, .frequency = real(seed) / 2};
+    const StepOptions how{.warm_start = seed % 2 == 0, .frequency = real(seed) / 2};
     const auto make = [&] {
       Random random(seed);
       World world = tree(random, 6);
@@ -206,7 +206,7 @@ TEST_CASE("an iteration of XPBD is one of Gauss-Seidel where C is linear, spring
     bench::Xpbd xpbd;
     SequentialImpulses impulses;
     impulses.iterations = 1;
-    const Stepping how{.substeps = int(random.uniform(1, 4))};
+    const StepOptions how{.substeps = int(random.uniform(1, 4))};
     for (int n = 0; n < 3; ++n) {
       step(one, xpbd, sixtieth, how);
       step(other, impulses, sixtieth, how);
@@ -243,7 +243,7 @@ TEST_CASE("a load on a spring k sags by m g/k with XPBD, whatever mass, substeps
     spring.damping = random.uniform(real(0.3), 1);
     bench::Xpbd solver;
     solver.iterations = int(random.uniform(1, 4));
-    const Stepping how{.substeps = int(random.uniform(1, 20))};
+    const StepOptions how{.substeps = int(random.uniform(1, 20))};
     for (int n = 0; n < 1200; ++n) step(world, solver, sixtieth, how);
     const double omega = 2 * 3.14159265358979 * double(frequency), k = double(m) * omega * omega;
     CHECK(-double(world.bodies[load].x.y) - 1 ==

@@ -33,9 +33,9 @@ TEST_CASE("soft joints move by the direct solver as by many iterations") {
   for (const bool by_step : {true, false}) {
     Scene direct = heavy_chain(5, 3), iterated = heavy_chain(5, 3), hard = heavy_chain(5, 3);
     const auto soft = [&](Solver& solver, Scene& scene) {
-      const Stepping how{.warm_start = true, .leapfrog = true};
+      const StepOptions how{.warm_start = true, .leapfrog = true};
       if (by_step) {
-        Stepping all = how;
+        StepOptions all = how;
         all.frequency = 3, all.damping = real(0.5);
         return step(scene.world, solver, h, all);
       }

@@ -17,7 +17,7 @@ struct Fall {
   bool finite = true;
 };
 
-Fall ragdoll_falls(Solver& solver, real beta, const Stepping& how) {
+Fall ragdoll_falls(Solver& solver, real beta, const StepOptions& how) {
   Choice choice;
   choice.beta = beta;
   Ragdoll doll(choice);

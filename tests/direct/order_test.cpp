@@ -11,7 +11,7 @@ namespace {
 
 using Move = std::function<void(World&, real)>;
 
-Move by_steps(int newton, const Stepping& how) {
+Move by_steps(int newton, const StepOptions& how) {
   DirectSolver solver = with(newton);
   return [solver, how](World& world, real h) mutable { step(world, solver, h, how); };
 }

@@ -7,7 +7,7 @@
 namespace {
 
 // True if a world goes on as one that was built anew and restored, with a solver of its own.
-bool goes_on(World& world, World& other, DirectSolver solver, const Stepping& how, int steps) {
+bool goes_on(World& world, World& other, DirectSolver solver, const StepOptions& how, int steps) {
   for (int n = 0; n < steps; ++n) step(world, solver, sixtieth, how);
   DirectSolver fresh = with(solver.newton, solver.added_inertia);  // it has solved nothing yet
   restore(other, save(world));

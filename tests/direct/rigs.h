@@ -10,7 +10,7 @@
 
 namespace joints::testing {
 
-inline const Stepping second_order{.leapfrog = true};
+inline const StepOptions second_order{.leapfrog = true};
 inline constexpr real sixtieth = real(1) / 60;  ///< [s]
 
 /// A direct solver. \param newton iterations on the positions; 0: it corrects velocities alone

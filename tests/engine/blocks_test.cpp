@@ -71,7 +71,7 @@ void compare_with_dense(bool linear, bool angular, unsigned seed) {
 
 // A pendulum box on `count` joints made by add(world, ceiling, box, part).
 template <class Add>
-std::vector<vec3> swing(const Add& add, OrderedImpulses solver, const Stepping& stepping,
+std::vector<vec3> swing(const Add& add, OrderedImpulses solver, const StepOptions& stepping,
                         int steps) {
   World world;
   const BodyId ceiling = world.add(static_body(vec3(0)));
@@ -169,7 +169,7 @@ TEST_CASE("X14 two identical ball joints hold a pendulum as one does") {
   for (bool warm : {false, true})
     for (Order order : {Order::forward, Order::alternating}) {
       OrderedImpulses solver;
-      Stepping stepping{.warm_start = warm};
+      StepOptions stepping{.warm_start = warm};
       solver.order = order;
       const std::vector<vec3> path = swing(one, solver, stepping, 300);
       CHECK(length(path.back()) > real(0.9));

@@ -15,7 +15,7 @@ TEST_CASE("speed clamp: a diverging chain stays finite for a thousand steps") {
           before = id;
         }
         SequentialImpulses solver;
-        Stepping stepping;
+        StepOptions stepping;
         solver.iterations = iterations;
         stepping.warm_start = warm;
         double top = 0;

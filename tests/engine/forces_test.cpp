@@ -30,7 +30,7 @@ std::vector<std::pair<std::string, Move>> moves() {
           else if (name == "packed") made = std::make_shared<PackedImpulses>();
           else made = std::make_shared<DirectSolver>();
           if (name == "direct, newton") static_cast<DirectSolver&>(*made).newton = 8;
-          const Stepping how{.warm_start = warm, .substeps = substeps, .leapfrog = leapfrog};
+          const StepOptions how{.warm_start = warm, .substeps = substeps, .leapfrog = leapfrog};
           out.emplace_back(name + (warm ? ", warm" : ", cold") + (leapfrog ? ", leapfrog" : "") +
                                ", substeps " + std::to_string(substeps),
                            [made, how](World& world, real length) {
@@ -100,7 +100,7 @@ TEST_CASE("motor and limit and spring read their forces under leapfrog in steps 
         DirectSolver at_once;
         iterated.iterations = 300;
         Solver& solver = direct ? static_cast<Solver&>(at_once) : iterated;
-        const Stepping how{.warm_start = warm, .leapfrog = true};
+        const StepOptions how{.warm_start = warm, .leapfrog = true};
         CAPTURE(seed, warm, direct);
         Random random(seed);
         const real strength = random.uniform(real(0.5), real(20));
@@ -137,7 +137,7 @@ TEST_CASE("a warm chain at rest stays at rest with one iteration in steps of any
       before = next;
     }
     SequentialImpulses solver;
-    Stepping how{.warm_start = true, .leapfrog = leapfrog};
+    StepOptions how{.warm_start = true, .leapfrog = leapfrog};
     solver.iterations = 5000;
     for (int n = 0; n < 3; ++n) step(world, solver, h, how);
     solver.iterations = 1;
@@ -145,7 +145,7 @@ TEST_CASE("a warm chain at rest stays at rest with one iteration in steps of any
       step(world, solver, length, how);
       CHECK(double(reaction(*world.joints()[0], world.bodies).force.y) ==
             Approx(15 * 9.81).epsilon(tolerance(1e-9, 2e-3)));
-      const Bodies now = synchronised(world, solver, how.warm_start);
+      const Bodies now = velocities_at_pose_time(world, solver, how.warm_start);
       for (const Body& body : all_of(leapfrog ? now : world.bodies))
         CHECK(double(glm::length(body.v)) < tolerance(1e-9, 1e-3));
     }
@@ -156,13 +156,13 @@ TEST_CASE("a motor and a spring pull for half a step in synchronised velocities"
   for (unsigned seed = 1; seed <= 4; ++seed)
     for (const bool warm : {false, true}) {
       Random random(seed);
-      const Stepping how{.warm_start = warm, .leapfrog = true};
+      const StepOptions how{.warm_start = warm, .leapfrog = true};
       SequentialImpulses solver;
       solver.iterations = 300;
       const auto middles = [&](World& world, auto speed) {  // of a step, and between two
         step(world, solver, h / 4, how);
         const real before = speed(world.bodies);
-        const real now = speed(synchronised(world, solver, warm));
+        const real now = speed(velocities_at_pose_time(world, solver, warm));
         step(world, solver, h / 4, how);
         return std::pair{double(before + speed(world.bodies)) / 2, double(now)};
       };
@@ -209,13 +209,13 @@ TEST_CASE("synchronised velocities have the energy to second order and leave the
       World world = pendulum(seed);
       DirectSolver solver, other;
       solver.newton = 8;
-      const Stepping how{.leapfrog = true};
+      const StepOptions how{.leapfrog = true};
       const double before = energy(all_of(world.bodies), world.gravity);
       double worst = 0;
       for (int n = 0; n < rate; ++n) {
         step(world, solver, real(1) / real(rate), how);
         const State then = save(world);
-        const Bodies now = synchronised(world, other, how.warm_start);
+        const Bodies now = velocities_at_pose_time(world, other, how.warm_start);
         REQUIRE(save(world) == then);
         worst = std::max(worst, std::abs(energy(all_of(at_poses ? now : world.bodies),
                                                 world.gravity) - before));

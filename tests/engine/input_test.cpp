@@ -186,7 +186,7 @@ TEST_CASE("X16 an anchor must be finite") {
 TEST_CASE("X16 a step without a proper length or without iterations is refused and nothing moves") {
   Small small;
   SequentialImpulses solver;
-  Stepping stepping;
+  StepOptions stepping;
   for (real bad : bad_numbers) {
     CAPTURE(bad);
     CHECK_THAT(refusal([&] { step(small.world, solver, bad, stepping); }), StartsWith("h is"));

@@ -71,7 +71,7 @@ struct PlaneFixture {
   }
 };
 
-// Writes down what it is asked. late_limits adds the row that it held back.
+// Writes down what it is asked. activate_missed_limits adds the row that it held back.
 class Probe : public Joint {
  public:
   std::string& log;
@@ -81,7 +81,7 @@ class Probe : public Joint {
   bool added = false;
   Probe(BodyId a, BodyId b, std::string& log, char name, bool holds_back)
       : Joint(a, b), log(log), name(name), holds_back(holds_back) {}
-  void choose_rows(const Bodies&, real) override {
+  void update_active_rows(const Bodies&, real) override {
     log += std::string("b") + name;
     added = false;
     impulse = 0;
@@ -90,7 +90,7 @@ class Probe : public Joint {
     log += std::string("a") + name;
     if (!holds_back) row(bodies, blocks);
   }
-  void late_limits(const Bodies& bodies, real, Blocks& blocks) override {
+  void activate_missed_limits(const Bodies& bodies, real, Blocks& blocks) override {
     log += std::string("s") + name;
     if (holds_back && !added) row(bodies, blocks), added = true;
   }
@@ -201,7 +201,7 @@ TEST_CASE("asking for blocks between the steps changes nothing") {
     world.add<RopeJoint>(a, b, Rope<Distance>{{vec3(0), vec3(0), real(1.1)}});
     world.add<DistanceJoint>(wall, b, Distance{vec3(0, 1, 0), vec3(0), real(2.5)});
     SequentialImpulses solver;
-    Stepping stepping{.warm_start = true};
+    StepOptions stepping{.warm_start = true};
     for (int n = 0; n < 60; ++n) {
       step(world, solver, h, stepping);
       if (!ask) continue;

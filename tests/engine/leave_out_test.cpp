@@ -20,9 +20,9 @@ class Late : public Joint {
   int steps = 0;
   bool added = false;
   mutable Vector<6> impulse{};
-  void choose_rows(const Bodies&, real) override { added = ++steps % 3 != 0; }
+  void update_active_rows(const Bodies&, real) override { added = ++steps % 3 != 0; }
   void append(const Bodies&, Blocks&) const override {}
-  void late_limits(const Bodies& bodies, real, Blocks& blocks) override {
+  void activate_missed_limits(const Bodies& bodies, real, Blocks& blocks) override {
     if (added) return;
     added = true;
     Jacobian<6> J;
@@ -31,7 +31,7 @@ class Late : public Joint {
     impulse = {};
     blocks.append(bodies, body1, body2, J, Vector<6>{}, {}, impulse.data());
   }
-  Extras extras() const override { return {.limits = 2, .live_limits = 1, .motors = 1}; }
+  Stats stats() const override { return {.limits = 2, .live_limits = 1, .motors = 1}; }
 };
 
 // A chain of balls with ropes and rods across it, between two walls that are themselves joined.
@@ -66,7 +66,7 @@ TEST_CASE("once all its blocks have been live a world takes no memory in a step"
         Net net;
         net.world.add<Late>(net.ids[1], net.ids[5]);
         OrderedImpulses solver;
-        Stepping stepping;
+        StepOptions stepping;
         solver.iterations = 3;
         stepping.warm_start = warm;
         stepping.row_by_row = row_by_row;

@@ -13,7 +13,7 @@ struct Pendulum {
   BodyId bar;
   BallJoint* joint;
   SequentialImpulses solver;
-  Stepping stepping;
+  StepOptions stepping;
   explicit Pendulum(real beta, int projections) {
     const BodyId wall = world.add(static_body(vec3(0)));
     bar = world.add(box(2, vec3(1, real(0.1), real(0.2)), vec3(real(0.5), 0, 0)));

@@ -51,7 +51,7 @@ Column settled(real relaxation, int iterations, Kind solver) {
 }  // namespace
 
 TEST_CASE("a relaxed solve of one block is omega times the exact one") {
-  const auto impulse = [](real relaxation, const RowTarget& target) {
+  const auto impulse = [](real relaxation, const RowSettings& target) {
     World world = weightless();
     const Pair pair = uneven_pair();
     const BodyId a = world.add(pair.body1), b = world.add(pair.body2);
@@ -66,7 +66,7 @@ TEST_CASE("a relaxed solve of one block is omega times the exact one") {
     step(world, scalar, h);
     return joint.impulse;
   };
-  for (const RowTarget& target : {RowTarget{.beta = real(0.2)}, RowTarget{.frequency = 4}}) {
+  for (const RowSettings& target : {RowSettings{.beta = real(0.2)}, RowSettings{.frequency = 4}}) {
     const Vector<3> exact = impulse(1, target), eighth = impulse(real(0.125), target);
     const Vector<3> half = impulse(real(0.5), target), more = impulse(real(1.7), target);
     for (int i = 0; i < 3; ++i) {

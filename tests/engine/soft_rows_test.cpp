@@ -23,11 +23,11 @@ struct SoftPair {
   World world;
   AnyJoint<N>* joint = nullptr;
   SequentialImpulses solver;
-  Stepping stepping{};
+  StepOptions stepping{};
   Column V1, C;
   Dense K, J;
 
-  SoftPair(Random& random, const RowTarget& target, real h) {
+  SoftPair(Random& random, const RowSettings& target, real h) {
     world.gravity = vec3(0);
     const Pair pair = uneven_pair();
     const BodyId a = world.add(pair.body1), b = world.add(pair.body2);

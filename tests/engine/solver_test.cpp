@@ -75,7 +75,7 @@ std::vector<Body> after_forces(const World& world) {
 }
 
 void compare_iteration_by_iteration(OrderedImpulses& solver, World& world, Order order,
-                                    const Stepping& stepping = {}) {
+                                    const StepOptions& stepping = {}) {
   solver.order = order;
   const std::vector<Body> forced = after_forces(world);
   begin_step(world, solver, h, stepping);
@@ -125,7 +125,7 @@ TEST_CASE("I16 a warm start is Gauss-Seidel that begins with the last impulses")
   for (bool row_by_row : {false, true}) {
     World world = bent_chain();
     OrderedImpulses solver;
-    Stepping stepping;
+    StepOptions stepping;
     stepping.row_by_row = row_by_row;
     stepping.warm_start = true;
     step(world, solver, h, stepping);

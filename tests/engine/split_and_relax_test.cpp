@@ -235,7 +235,7 @@ TEST_CASE("row by row both come to the same places and velocities as block by bl
   for (const TwoPassImpulses& kind : {relaxing(3000, 3000), splitting(3000, 3000)}) {
     Torn blocks(4), rows(4);
     TwoPassImpulses solver = kind, by_rows = kind;
-    for (Stepping how : {Stepping{}, Stepping{.frequency = 5}}) {
+    for (StepOptions how : {StepOptions{}, StepOptions{.frequency = 5}}) {
       step(blocks.world, solver, h, how);
       how.row_by_row = true;
       step(rows.world, by_rows, h, how);
@@ -254,7 +254,7 @@ TEST_CASE("over-relaxed iterations settle both where plain ones do") {
     Torn plain(4), over(4);
     TwoPassImpulses solver = kind, other = kind;
     other.relaxation = real(1.4);
-    for (const Stepping& how : {Stepping{}, Stepping{.frequency = 5}}) {
+    for (const StepOptions& how : {StepOptions{}, StepOptions{.frequency = 5}}) {
       step(plain.world, solver, h, how);
       step(over.world, other, h, how);
       CHECK(difference(velocities(snapshot(over.world.bodies)),

@@ -77,7 +77,7 @@ World machine() {
 }
 
 // What became of a world, now and then in a thousand steps.
-std::vector<State> run(World& world, Solver& solver, const Stepping& how) {
+std::vector<State> run(World& world, Solver& solver, const StepOptions& how) {
   std::vector<State> out;
   for (int n = 1; n <= 1000; ++n) {
     step(world, solver, h, how);
@@ -92,7 +92,7 @@ S few(S solver) {
   return solver;
 }
 template <class S>
-void goes_on_the_same(const S& settings, const Stepping& how) {
+void goes_on_the_same(const S& settings, const StepOptions& how) {
   World world = machine();
   S solver = settings;
   for (int n = 0; n < 333; ++n) step(world, solver, h, how);
@@ -135,15 +135,15 @@ std::vector<vec3> reactions(const World& world) {
   return out;
 }
 
-const Stepping warm{.warm_start = true};
-const Stepping all{.warm_start = true, .substeps = 2, .projections = 2};
+const StepOptions warm{.warm_start = true};
+const StepOptions all{.warm_start = true, .substeps = 2, .projections = 2};
 
 }  // namespace
 
 TEST_CASE("a restored world goes on to the bit with Sequential Impulses however it steps") {
   for (const bool row_by_row : {false, true})
-    for (Stepping how : {warm, all, Stepping{.leapfrog = true},
-                         Stepping{.warm_start = true, .frequency = 8}}) {
+    for (StepOptions how : {warm, all, StepOptions{.leapfrog = true},
+                         StepOptions{.warm_start = true, .frequency = 8}}) {
       CAPTURE(row_by_row, how.substeps, how.leapfrog, double(how.frequency));
       SequentialImpulses solver;
       how.row_by_row = row_by_row;
@@ -176,7 +176,7 @@ TEST_CASE("a world can be restored at every moment of a bounce into one at any o
 
 TEST_CASE("a restored world goes on to the bit with every packing") {
   for (const Packing packing : packings)
-    for (const Stepping& how : {warm, all}) {
+    for (const StepOptions& how : {warm, all}) {
       CAPTURE(int(packing), how.substeps);
       PackedImpulses solver;
       solver.packing = packing;
@@ -187,7 +187,7 @@ TEST_CASE("a restored world goes on to the bit with every packing") {
 TEST_CASE("a restored world goes on to the bit with the direct solver, a new one or the same") {
   for (const int newton : {0, 8})
     for (const real added_inertia : {real(0), real(8)})
-      for (const Stepping& how : {warm, Stepping{.leapfrog = true}}) {
+      for (const StepOptions& how : {warm, StepOptions{.leapfrog = true}}) {
         CAPTURE(newton, double(added_inertia), how.leapfrog);
         DirectSolver solver;
         solver.newton = newton;
@@ -345,7 +345,7 @@ TEST_CASE("a state with altered numbers is refused and nothing has changed") {
     REQUIRE(refused([&](State& state) { state.slots[k] = -1; }));
   for (const real x : {nan, unbounded, -h}) {
     CHECK(refused([&](State& state) { state.last_h = x; }));
-    CHECK(refused([&](State& state) { state.acted = x; }));
+    CHECK(refused([&](State& state) { state.impulse_duration = x; }));
   }
   CHECK(refused([](State& state) { state.bodies[3] *= 2; }));  // of a q
   CHECK(refusal([&] { restore(world, good); }) == "accepted");

@@ -28,7 +28,7 @@ struct Zoo {
   FixedJoint* weld;
   GroundContact* contact;
   SequentialImpulses solver;
-  Stepping how{.warm_start = true};
+  StepOptions how{.warm_start = true};
 
   Zoo() {
     ground = world.add(static_body(vec3(0)));
@@ -251,7 +251,7 @@ template <class S>
 void spreads_no_further() {
   Shared spoilt, whole;
   S solver, other;
-  const Stepping how{.warm_start = true};
+  const StepOptions how{.warm_start = true};
   spoilt.world.bodies[spoilt.pushed].force.x = std::numeric_limits<real>::max();
   const std::string words = overflow([&] { step(spoilt.world, solver, h, how); });
   CHECK_THAT(words, StartsWith("body 1: "));

@@ -34,7 +34,7 @@ struct Hanging {
 // The largest sag in each of the last two seconds of a run [m].
 struct Sags {
   double first = 0, second = 0;
-  Sags(Hanging hanging, int iterations, const Stepping& stepping, int steps) {
+  Sags(Hanging hanging, int iterations, const StepOptions& stepping, int steps) {
     SequentialImpulses solver;
     solver.iterations = iterations;
     for (int n = 0; n < steps; ++n) {
@@ -65,7 +65,7 @@ double growth_of_a_mode(double eta, double beta) {
 TEST_CASE("I23 a joint that carries 3 kg pulls with 29.43 N after ten warm steps") {
   Hanging hanging({3});
   SequentialImpulses solver;
-  Stepping stepping{.warm_start = true};
+  StepOptions stepping{.warm_start = true};
   for (int n = 0; n < 10; ++n) step(hanging.world, solver, h, stepping);
   CHECK(double(hanging.joints[0]->impulse()[1] / h) ==
         Approx(29.43).epsilon(tolerance(1e-9, 1e-5)));
@@ -75,7 +75,7 @@ TEST_CASE("I23 a joint that carries 3 kg pulls with 29.43 N after ten warm steps
 TEST_CASE("I23 warm joints of a chain come to pull as much as hangs from them") {
   Hanging hanging({3, 2, 1});
   SequentialImpulses solver;
-  Stepping stepping{.warm_start = true};
+  StepOptions stepping{.warm_start = true};
   solver.iterations = 2;
   for (int n = 0; n < 2000; ++n) step(hanging.world, solver, h, stepping);
   const double weight[] = {6 * 9.81, 3 * 9.81, 9.81};
@@ -92,7 +92,7 @@ TEST_CASE("when the step changes the warm start scales its impulses with it") {
   // would kick the chain with g (h_old - h_new)
   Hanging hanging({3, 2, 1});
   SequentialImpulses solver;
-  Stepping stepping{.warm_start = true};
+  StepOptions stepping{.warm_start = true};
   solver.iterations = 2;
   for (int n = 0; n < 2000; ++n) step(hanging.world, solver, h, stepping);
   solver.iterations = 1;  // no iterations to mend it with

@@ -37,7 +37,7 @@ TEST_CASE("one beta for a whole world is that of every joint, or nothing changes
 TEST_CASE("a body that goes takes its joints along and what hung from it falls") {
   Hanging hanging;
   SequentialImpulses solver;
-  Stepping stepping{.warm_start = true};
+  StepOptions stepping{.warm_start = true};
   solver.iterations = 200;
   for (int n = 0; n < 20; ++n) step(hanging.world, solver, h, stepping);
   CHECK(std::abs(fall(hanging, 2)) < tolerance(1e-9, 1e-5));

@@ -12,7 +12,7 @@ struct Welded {
   BodyId wall, cube;
   FixedJoint* weld;
   SequentialImpulses solver;
-  Stepping stepping{};
+  StepOptions stepping{};
 
   Welded(real r, bool whole) {
     world.gravity = vec3(0);

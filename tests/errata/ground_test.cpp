@@ -18,7 +18,7 @@ class Ground : public Joint {
     const int slot1 = bodies.index(body1), slot2 = bodies.index(body2);
     const Corner corner{vec3(0), radius, 0};
     append_(corner, bodies.at(slot1), bodies.at(slot2),
-            [&](real sign, const RowTarget& target) {
+            [&](real sign, const RowSettings& target) {
               const Body &a = bodies.at(slot1), &b = bodies.at(slot2);
               const Jacobian<1> J = to_jacobian(corner.along(sign * Corner::up(a), a, b));
               blocks.append(bodies, body1, body2, J, {sign * corner.error(a, b)}, target,
@@ -54,7 +54,7 @@ double speed_on_our_ground(real gap, real speed) {
 TEST_CASE("E1 a depth that must not be negative pulls what flies into the ground", "[E1]") {
   // printed: C = depth >= 0. A ball 0.3 m over the ground has a depth of -0.3 m.
   const auto printed = [](const auto&, const Body&, const Body&, const auto& row) {
-    row(-1, RowTarget{.beta = real(0.2), .lower = 0});
+    row(-1, RowSettings{.beta = real(0.2), .lower = 0});
   };
   CHECK(speed_after(real(0.3), 0, printed) == Approx(-0.2 * 0.3 * 60).epsilon(1e-4));
   CHECK(speed_after(real(-0.05), -4, printed) == Approx(-4).epsilon(1e-4));  // it may sink on
@@ -66,7 +66,7 @@ TEST_CASE("E5 a contact solved as an equality is sticky: it holds back what leav
           "[E5]") {
   // printed: a violated inequality is an equality. 5 cm deep, on its way out at 5 m/s.
   const auto printed = [](const Corner& corner, const Body& a, const Body& b, const auto& row) {
-    if (corner.error(a, b) < 0) row(1, RowTarget{.beta = real(0.2)});
+    if (corner.error(a, b) < 0) row(1, RowSettings{.beta = real(0.2)});
   };
   CHECK(speed_after(real(-0.05), 5, printed) == Approx(0.2 * 0.05 * 60).epsilon(1e-3));
   CHECK(speed_on_our_ground(real(-0.05), 5) == Approx(5).epsilon(1e-6));
@@ -75,7 +75,7 @@ TEST_CASE("E5 a contact solved as an equality is sticky: it holds back what leav
 TEST_CASE("E5 a contact ignored until it is violated lets a ball into the ground by up to a step",
           "[E5]") {
   const auto printed = [](const Corner& corner, const Body& a, const Body& b, const auto& row) {
-    if (corner.error(a, b) < 0) row(1, RowTarget{.beta = real(0.2)});
+    if (corner.error(a, b) < 0) row(1, RowSettings{.beta = real(0.2)});
   };
   const double gap = 0.01, speed = -10;
   CHECK(gap + speed_after(real(gap), real(speed), printed) / 60 ==

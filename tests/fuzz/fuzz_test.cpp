@@ -45,7 +45,7 @@ class Draw : public Random {
 
 struct Settings {
   real h = real(1) / 60;
-  Stepping how;
+  StepOptions how;
   SequentialImpulses sequential;
   PackedImpulses packed;
   DirectSolver direct;

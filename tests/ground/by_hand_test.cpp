@@ -15,7 +15,7 @@ struct BothLoops {
   BodyId ground, box_id;
   GroundContact* contact;
   SequentialImpulses solver;
-  Stepping stepping{};
+  StepOptions stepping{};
   vec3 size{1, real(0.4), real(0.8)};
 
   explicit BothLoops(const vec3& v, const vec3& w, const vec3& slope = vec3(0), real drop = 0) {

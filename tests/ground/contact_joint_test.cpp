@@ -159,7 +159,7 @@ TEST_CASE("two static bodies have no rows, however deep they are") {
   const BodyId a = world.add(static_body(vec3(0))), b = world.add(static_body(vec3(0)));
   auto& contact = world.add<GroundContact>(a, b, Top{}, box_outline(brick));
   SequentialImpulses solver;
-  Stepping stepping{.projections = 1};
+  StepOptions stepping{.projections = 1};
   step(world, solver, h, stepping);
   CHECK(contact.touching() == 0);
   CHECK(world.blocks.list.empty());

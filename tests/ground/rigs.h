@@ -20,7 +20,7 @@ struct Grounded {
   BodyId ground, body;
   GroundContact* contact;
   bench::OrderedImpulses solver;
-  Stepping stepping{};
+  StepOptions stepping{};
 
   Grounded(Body made, const Outline& outline, real slope = 0, const Top& top = {}) {
     const quat turn = rotation(vec3(0, 0, slope));

@@ -134,7 +134,7 @@ TEST_CASE("limits of the angles of any joint stop 100 rad/s within half a degree
         };
         std::function<double()> most;
         if (six) {
-          auto& joint = two.world.add<SixDegreesJoint>(two.wall, two.body, vec3(0), first, second);
+          auto& joint = two.world.add<SixDofJoint>(two.wall, two.body, vec3(0), first, second);
           joint.slide1().set_limits(0, 0);
           joint.slide2().set_limits(0, 0);
           joint.slide3().set_limits(0, 0);
@@ -227,7 +227,7 @@ TEST_CASE("six locked coordinates are a weld") {
     for (const auto& solver : three_solvers(200)) {
       Random again(seed);
       Two two(again);
-      auto& joint = two.world.add<SixDegreesJoint>(two.wall, two.body, anchor,
+      auto& joint = two.world.add<SixDofJoint>(two.wall, two.body, anchor,
                                                    drawn_direction(again), again.vector(1));
       const auto lock = [](auto& free) { free.set_limits(0, 0); };
       lock(joint.slide1()), lock(joint.slide2()), lock(joint.slide3());
@@ -253,7 +253,7 @@ TEST_CASE("each of six coordinates is free, limited, locked or driven beside any
     for (const auto& solver : three_solvers(200)) {
       Random random(seed);
       Two two(random);
-      auto& joint = two.world.add<SixDegreesJoint>(two.wall, two.body, vec3(0),
+      auto& joint = two.world.add<SixDofJoint>(two.wall, two.body, vec3(0),
                                                    drawn_direction(random), random.vector(1));
       // free ones: the first displacement and the twist alone, so that the swing stays small
       std::array<Use, 6> use;
@@ -333,7 +333,7 @@ TEST_CASE("joints of several coordinates go on from a state, and refuse what the
   const vec3 x(1, 0, 0), y(0, 1, 0);
   CHECK(refusal([&] { one.add<ConeTwistJoint>(a, b, vec3(0), x, x, real(1)); }) != "accepted");
   CHECK(refusal([&] { one.add<ConeTwistJoint>(a, b, vec3(0), x, y, real(0)); }) != "accepted");
-  CHECK(refusal([&] { one.add<SixDegreesJoint>(a, b, vec3(0), vec3(0), y); }) != "accepted");
+  CHECK(refusal([&] { one.add<SixDofJoint>(a, b, vec3(0), vec3(0), y); }) != "accepted");
   CHECK(refusal([&] { one.add<StrutJoint>(a, b, vec3(unbounded, 0, 0), x); }) != "accepted");
   CHECK(one.joints().size() == 1);
 }

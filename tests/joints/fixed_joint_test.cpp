@@ -13,7 +13,7 @@ struct Welded {
   BodyId one, two;
   FixedJoint* weld;
   SequentialImpulses solver;
-  Stepping stepping{};
+  StepOptions stepping{};
 
   Welded(real distance, bool whole, bool to_wall) {
     world.gravity = vec3(0);
@@ -128,7 +128,7 @@ TEST_CASE("I23 a weld from which 3 kg hang pulls with 29.43 N after ten warm ste
     auto& weld = world.add<FixedJoint>(wall, body, vec3(0, real(-0.4), 0));
     weld.whole = whole;
     SequentialImpulses solver;
-    Stepping stepping{.warm_start = true};
+    StepOptions stepping{.warm_start = true};
     for (int n = 0; n < 10; ++n) step(world, solver, h, stepping);
     CHECK(double(weld.load().force.y) == Approx(29.43).epsilon(tolerance(1e-9, 1e-5)));
     CHECK(double(length(weld.load().torque)) < tolerance(1e-9, 1e-4));
@@ -230,7 +230,7 @@ TEST_CASE("I25 a weld leaves a static body untouched to the last bit and two of 
         world.bodies[other].q = rotation(vec3(0, 1, 0));  // broken at once
         const Body before = world.bodies[wall], before_other = world.bodies[other];
         SequentialImpulses solver;
-        Stepping stepping{.warm_start = warm};
+        StepOptions stepping{.warm_start = warm};
         for (int n = 0; n < 500; ++n) step(world, solver, h, stepping);
         CHECK(same_bits(world.bodies[wall], before));
         CHECK(all_finite(world));

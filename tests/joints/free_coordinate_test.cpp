@@ -168,7 +168,7 @@ TEST_CASE("a world with every drive goes on from its state as if it had never be
     one.hinge->set_friction(3);
     return one;
   };
-  const Stepping warm{.warm_start = true};
+  const StepOptions warm{.warm_start = true};
   SequentialImpulses solver;
   Driven one = make();
   for (int n = 0; n < 200; ++n) step(one.world, solver, h, warm);

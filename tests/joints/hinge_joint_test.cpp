@@ -14,7 +14,7 @@ struct Bent {
   BodyId one, two;
   HingeJoint* hinge;
   SequentialImpulses solver;
-  Stepping stepping{};
+  StepOptions stepping{};
 
   Bent(real angle, bool free, bool beside, bool whole) {
     world.gravity = vec3(0);
@@ -272,7 +272,7 @@ TEST_CASE("a hinge between two static bodies has no row and no force") {
     world.bodies[b].q = rotation(vec3(0, 3, 0));
     const Body before_a = world.bodies[a], before_b = world.bodies[b];
     SequentialImpulses solver;
-    Stepping stepping{.warm_start = warm};
+    StepOptions stepping{.warm_start = warm};
     for (int n = 0; n < 100; ++n) step(world, solver, h, stepping);
     CHECK(world.blocks.list.empty());
     CHECK(same_bits(world.bodies[a], before_a));

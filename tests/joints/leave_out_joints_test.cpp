@@ -267,7 +267,7 @@ TEST_CASE("driven joints take nothing from the heap once all their rows have bee
     for (bool row_by_row : {false, true}) {
       Machine machine;
       SequentialImpulses solver;
-      Stepping stepping;
+      StepOptions stepping;
       solver.iterations = 5;
       stepping.warm_start = warm;
       stepping.row_by_row = row_by_row;

@@ -14,7 +14,7 @@ struct Door {
   BodyId post, door;
   HingeJoint* hinge;
   SequentialImpulses solver;
-  Stepping stepping{};
+  StepOptions stepping{};
 
   Door() {
     world.gravity = vec3(0);

@@ -65,7 +65,7 @@ TEST_CASE("random machines of hinges and sliders and welds keep their limits and
         CAPTURE(whole, warm, seed);
         Machine machine(seed, whole);
         SequentialImpulses solver;
-        Stepping stepping;
+        StepOptions stepping;
         solver.iterations = 100;
         stepping.warm_start = warm;
         double start = 0, highest = -1e9, beyond = 0;

@@ -203,7 +203,7 @@ TEST_CASE("I25 a static body is still at rest to the last bit after a thousand s
     world.add<BallJoint>(left, right, Point{});  // nothing can close this gap
     const Body before_left = bodies[left], before_right = bodies[right];
     SequentialImpulses solver;
-    Stepping stepping{.warm_start = warm};
+    StepOptions stepping{.warm_start = warm};
     for (int n = 0; n < 1000; ++n) step(world, solver, h, stepping);
     const auto same_bits = [](const auto& one, const auto& other) {
       return std::memcmp(&one, &other, sizeof one) == 0;

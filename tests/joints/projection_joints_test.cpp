@@ -53,7 +53,7 @@ struct Bars {
   std::vector<BodyId> ids;
   std::vector<BallJoint*> joints;
   SequentialImpulses solver;
-  Stepping stepping{};
+  StepOptions stepping{};
 
   explicit Bars(int links, int twice = 1) {
     ids.push_back(world.add(static_body(vec3(0))));
@@ -92,7 +92,7 @@ TEST_CASE("projection closes a hinge whose limit has a gap as one without limits
       const real now = hinge.position(apart.world.bodies);
       if (limited) hinge.set_limits(now - 1, now + real(1e-3));
       hinge.begin_step(apart.world.bodies, h);
-      CHECK(hinge.extras().live_limits == int(limited));
+      CHECK(hinge.stats().live_limits == int(limited));
       project_positions(apart.world);
       return std::pair{body.x, body.q};
     };
@@ -161,7 +161,7 @@ TEST_CASE("X6 projection moves no static body and nothing between two of them") 
   hinge.set_limits(1, 2);
   const std::vector<Body> before = snapshot(world.bodies);
   SequentialImpulses solver;
-  Stepping stepping{.projections = 3};
+  StepOptions stepping{.projections = 3};
   for (int n = 0; n < 100; ++n) step(world, solver, h, stepping);
   CHECK(same_bits(world.bodies[a], before[0]));
   CHECK(same_bits(world.bodies[b], before[1]));

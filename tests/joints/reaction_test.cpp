@@ -71,7 +71,7 @@ TEST_CASE("each joint of a hanging chain carries the weight of all that hangs be
         for (real step_length : {h, h / 4}) {
           Beam chain(frame, vec3(0, -1, 0), kind, {3, 1, 2});
           SequentialImpulses solver;
-          Stepping stepping{.warm_start = warm};
+          StepOptions stepping{.warm_start = warm};
           solver.iterations = 300;
           for (int n = 0; n < 40; ++n) step(chain.world, solver, step_length, stepping);
           for (std::size_t k = 0; k < 3; ++k) {
@@ -91,7 +91,7 @@ TEST_CASE("the wall of a cantilever bears n m g and n^2 m g L over 2") {
         Beam beam(frame, vec3(1, 0, 0), Kind::weld, {2, 2, 2});
         for (Joint* joint : beam.joints) static_cast<FixedJoint*>(joint)->whole = whole;
         SequentialImpulses solver;
-        Stepping stepping{.warm_start = warm};
+        StepOptions stepping{.warm_start = warm};
         solver.iterations = 3000;
         for (int n = 0; n < 5; ++n) step(beam.world, solver, h, stepping);
         for (std::size_t k = 0; k < 3; ++k) {
@@ -157,7 +157,7 @@ TEST_CASE("a limit that holds a weight out gives m g r cos of the angle") {
           body.x = frame.at(real(0.5) * std::cos(phi), real(0.5) * std::sin(phi), 0);
           hinge.set_limits(beyond ? -unbounded : phi, beyond ? phi : unbounded);
           SequentialImpulses solver;
-          Stepping stepping{.warm_start = warm};
+          StepOptions stepping{.warm_start = warm};
           solver.iterations = 200;
           for (int n = 0; n < 100; ++n) step(arm.world, solver, h, stepping);
           const double torque = 4 * g * 0.5 * std::cos(angle * double(degree));
@@ -237,7 +237,7 @@ TEST_CASE("what a joint bears does not depend on the length of the step") {
     for (real step_length : {h, h / 2, h / 10}) {
       Beam beam({}, vec3(1, 0, 0), Kind::weld, {5});
       SequentialImpulses solver;
-      Stepping stepping{.warm_start = warm};
+      StepOptions stepping{.warm_start = warm};
       for (int n = 0; n < 20; ++n) step(beam.world, solver, step_length, stepping);
       torques.push_back(double(static_cast<FixedJoint*>(beam.joints[0])->load().torque.z));
     }

@@ -29,7 +29,7 @@ void check_twice_is_once(const vec3& gravity, bool warm, bool whole, Add add) {
   const double near = whole ? tolerance(1e-9, 2e-3) : 2e-3;
   World once = held(1, gravity, add), twice = held(2, gravity, add);
   SequentialImpulses solver_once, solver_twice;
-  Stepping stepping{.warm_start = warm};
+  StepOptions stepping{.warm_start = warm};
   double largest = 0;
   for (int n = 0; n < 300; ++n) {
     step(once, solver_once, h, stepping);
@@ -148,7 +148,7 @@ TEST_CASE("X14 a beam that is welded at both ends stays where it is and bears it
       welds.push_back(&world.add<FixedJoint>(ids[k - 1], ids[k],
                                              vec3(real(k) - real(0.5), 0, 0)));
     SequentialImpulses solver;
-    Stepping stepping{.warm_start = warm};
+    StepOptions stepping{.warm_start = warm};
     solver.iterations = 200;
     for (int n = 0; n < 300; ++n) {
       if (n == 60) world.bodies[ids[2]].v = vec3(3, 5, -8);  // a blow

@@ -15,7 +15,7 @@ struct Piston {
   BodyId one, two;
   SliderJoint* slider;
   SequentialImpulses solver;
-  Stepping stepping{};
+  StepOptions stepping{};
 
   explicit Piston(bool free = false, bool isotropic = false) {
     world.gravity = vec3(0);

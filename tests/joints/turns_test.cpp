@@ -153,14 +153,14 @@ TEST_CASE("a motor switched off has no force, and a limit on the other side begi
   Rotor rotor;
   rotor.hinge->set_motor(-3, 2);
   rotor.hinge->set_limits(0, real(0.5));
-  const Stepping warm{.warm_start = true};
+  const StepOptions warm{.warm_start = true};
   step(rotor.world, rotor.solver, h, warm);
   CHECK(rotor.hinge->motor_force() == -2);
   CHECK(double(rotor.hinge->limit_force()) == Approx(2));
   rotor.hinge->set_motor(-3, 0);
   rotor.rotor().q = rotation(vec3(0, 0, real(0.5)));
   begin_step(rotor.world, rotor.solver, h, warm);
-  CHECK(rotor.hinge->extras().live_limits == 1);
+  CHECK(rotor.hinge->stats().live_limits == 1);
   CHECK(rotor.hinge->motor_force() == 0);
   CHECK(rotor.hinge->limit_force() == 0);
 }

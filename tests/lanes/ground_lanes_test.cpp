@@ -39,7 +39,7 @@ World field(int figures, bool limbs, bool alike, real drop = 1) {
 
 // A step of the scalar solver whose iterations solve the blocks in the order of the packed ones.
 void step_in_order(SequentialImpulses& solver, World& world, const PackedBlocks& packed,
-                   const Stepping& stepping = {}) {
+                   const StepOptions& stepping = {}) {
   begin_step(world, solver, h, stepping);
   const std::vector<int>& blocks = packed.order().blocks;
   REQUIRE(std::count_if(blocks.begin(), blocks.end(), [](int k) { return k >= 0; }) ==
@@ -48,7 +48,7 @@ void step_in_order(SequentialImpulses& solver, World& world, const PackedBlocks&
     for (const int k : blocks)
       if (k >= 0) solver.iterate(world.bodies, k, k + 1);
   Blocks more;  // late limits goes on from here: it must find nothing
-  for (const auto& joint : world.joints()) joint->late_limits(world.bodies, h, more);
+  for (const auto& joint : world.joints()) joint->activate_missed_limits(world.bodies, h, more);
   REQUIRE(more.list.empty());
   end_step(world, solver, h, stepping);
 }
@@ -65,7 +65,7 @@ class Following : public Joint {
   void append(const Bodies& bodies, Blocks& blocks) const override {
     if (alive)
       blocks.append(bodies, body1, body2, to_jacobian(followed), {0}, {.lower = 0}, &impulse[0]);
-    const RowTarget target{.holds_position = false, .follows = -1, .upper = real(0.4)};
+    const RowSettings target{.holds_position = false, .follows = -1, .upper = real(0.4)};
     if (twice)
       blocks.append(bodies, body1, body2, Jacobian<2>{{follower, follower}}, {0, 0}, target,
                     &impulse[1]);
@@ -102,7 +102,7 @@ TEST_CASE("on lanes figures fall on the ground and slide as with the scalar solv
         CAPTURE(limbs, int(packing), warm);
         World one = field(9, limbs, true), other = field(9, limbs, true);
         SequentialImpulses scalar;
-        Stepping stepping;
+        StepOptions stepping;
         PackedImpulses wide;
         wide.packing = packing;
         stepping.warm_start = warm;
@@ -122,7 +122,7 @@ TEST_CASE("in colours contacts and joints give the scalar solver's numbers in th
     CAPTURE(int(packing));
     World one = field(7, true, false, 0), other = field(7, true, false, 0);
     SequentialImpulses scalar;
-    Stepping stepping;
+    StepOptions stepping;
     PackedImpulses wide;
     wide.packing = packing;
     stepping.warm_start = true;
@@ -160,7 +160,7 @@ TEST_CASE("a row that follows an impulse without a row is refused by every solve
   Random random(87);
   World world = followings(random, 9);
   auto& orphan = static_cast<Following&>(*world.joints()[4]);
-  const auto refused = [&](auto solver, const Stepping& how = {}) {
+  const auto refused = [&](auto solver, const StepOptions& how = {}) {
     return refusal([&] { step(world, solver, h, how); });
   };
   for (const bool alive : {true, false}) {
@@ -234,7 +234,7 @@ TEST_CASE("a followed impulse is found whichever neighbour in the list has it") 
 TEST_CASE("corners come and go, the bodies keep their places and nothing is allocated") {
   World world = field(9, true, true);
   PackedImpulses wide;
-  const Stepping stepping{.warm_start = true};
+  const StepOptions stepping{.warm_start = true};
   const auto jump = [&] {
     for (int slot = 1; slot < world.bodies.slots(); ++slot)
       world.bodies.at(slot).v.y = real(0.5) * real(slot % 4);
@@ -255,7 +255,7 @@ TEST_CASE("corners come and go again and the scalar solver does not allocate") {
   Random random(88);
   World world = field(3, true, true);
   SequentialImpulses solver;
-  Stepping stepping{.projections = 1};
+  StepOptions stepping{.projections = 1};
   const auto throw_up = [&] {
     for (int slot = 1; slot < world.bodies.slots(); ++slot)
       world.bodies.at(slot).v.y = random.uniform(1, 3);

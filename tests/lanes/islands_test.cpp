@@ -17,7 +17,7 @@ using namespace joints::testing;
 namespace {
 
 const real h = real(1) / 60;
-const Stepping warm{.warm_start = true};
+const StepOptions warm{.warm_start = true};
 
 // Two worlds made alike. A step of both: one by a solver that has gone all the way, with lanes or
 // interleaved, the other from the same state in the list's order.

@@ -31,7 +31,7 @@ std::vector<BlockKind> all_kinds() {
 }
 
 // The three ways not to be hard.
-std::vector<RowTarget> targets(bool hard) {
+std::vector<RowSettings> targets(bool hard) {
   if (hard) return {{.beta = real(0.2)}};
   return {{.frequency = 6, .damping = real(0.3)},
           {.beta = real(0.2), .lower = 0},
@@ -50,7 +50,7 @@ vec3 vector_of(const Dense& Q, long row, long first) {
 
 // A joint of random rows, or of a point's rows and random ones that turn.
 template <int N>
-void join(World& world, BodyId a, BodyId b, const BlockKind& kind, const RowTarget& target,
+void join(World& world, BodyId a, BodyId b, const BlockKind& kind, const RowSettings& target,
           Random& random) {
   auto& joint = world.add<AnyJoint<N>>(a, b);
   const Dense of1 = directions(random, 6), of2 = directions(random, 6);
@@ -71,7 +71,7 @@ void join(World& world, BodyId a, BodyId b, const BlockKind& kind, const RowTarg
   joint.target = target;
 }
 
-void join(World& world, BodyId a, BodyId b, const BlockKind& kind, const RowTarget& target,
+void join(World& world, BodyId a, BodyId b, const BlockKind& kind, const RowSettings& target,
           Random& random) {
   switch (kind.rows) {
     case 1: return join<1>(world, a, b, kind, target, random);
@@ -84,7 +84,7 @@ void join(World& world, BodyId a, BodyId b, const BlockKind& kind, const RowTarg
 }
 
 // Eleven chains of three joints of one kind, in any order of the joints.
-World chains(const BlockKind& kind, const RowTarget& target, const std::vector<int>& order) {
+World chains(const BlockKind& kind, const RowSettings& target, const std::vector<int>& order) {
   World world;
   Random random(91);
   std::vector<BodyId> ids;
@@ -148,7 +148,7 @@ TEST_CASE("every kernel of the packed iteration finds what the scalar solver fin
   std::iota(in_list.begin(), in_list.end(), 0);
   std::map<BlockKind, std::map<int, int>> met;  // kind -> numbers at a time -> groups
   for (const BlockKind& kind : all_kinds())
-    for (const RowTarget& target : targets(kind.hard))
+    for (const RowSettings& target : targets(kind.hard))
       for (const Packing packing : packings) {
         INFO(words(kind) << ", packing " << int(packing));
         PackedImpulses wide;
@@ -188,7 +188,7 @@ TEST_CASE("a body that does not move may be body 1 or body 2, and have a velocit
   std::vector<int> order(2 * lane_count + 1);
   std::iota(order.begin(), order.end(), 0);
   for (const BlockKind& kind : all_kinds())
-    for (const RowTarget& target : targets(kind.hard))
+    for (const RowSettings& target : targets(kind.hard))
       for (const bool second : {true, false})
         for (const Packing packing : packings) {
           INFO(words(kind) << ", packing " << int(packing) << ", still body second: " << second);

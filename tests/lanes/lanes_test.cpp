@@ -50,7 +50,7 @@ TEST_CASE("one island per lane keeps its own order: chains move as with the scal
     bench::BenchScene wide = bench::cubes_on_hinges(10, 12);
     SequentialImpulses one;
     PackedImpulses other;
-    Stepping stepping{.warm_start = warm};
+    StepOptions stepping{.warm_start = warm};
     stepping.projections = 1;
     for (int n = 0; n < 60; ++n) {
       step(scalar.world, one, h, stepping);

@@ -104,7 +104,7 @@ TEST_CASE("packed in the order of the list every joint moves as with the scalar 
     Zoo scalar(2), packed(2);
     SequentialImpulses one;
     PackedImpulses other = solver_of(Packing::list);
-    Stepping stepping{.warm_start = warm};
+    StepOptions stepping{.warm_start = warm};
     stepping.projections = 1;
     for (int n = 0; n < 20; ++n) {
       step(scalar.world, one, h, stepping);
@@ -227,7 +227,7 @@ TEST_CASE("once its vectors have grown no step allocates in any packing") {
       int arranged = 0;
       for (World* world : {&few, &zoo.world}) {
         PackedImpulses solver = solver_of(packing);
-        Stepping stepping{.warm_start = warm};
+        StepOptions stepping{.warm_start = warm};
         stepping.projections = 1;
         const State begin = save(*world);
         for (int n = 0; n < 120; ++n) step(*world, solver, h, stepping);

@@ -54,7 +54,7 @@ class AnyJoint : public Joint {
  public:
   Jacobian<N> J;
   Vector<N> C{};
-  RowTarget target;
+  RowSettings target;
   Form form = Form::any;
   mutable Vector<N> impulse{};
 

@@ -56,7 +56,7 @@ struct Rotor {
   BodyId wall, body;
   HingeJoint* hinge;
   TwoPassImpulses solver;
-  Stepping stepping{};
+  StepOptions stepping{};
 
   explicit Rotor(real lever = 0, real speed = 0) {
     world.gravity = vec3(0);
@@ -80,7 +80,7 @@ struct Crane {
   BodyId wall, cube;
   HingeJoint* hinge;
   SequentialImpulses solver;
-  Stepping stepping{};
+  StepOptions stepping{};
 
   explicit Crane(const vec3& axis) {
     wall = world.add(static_body(vec3(0)));

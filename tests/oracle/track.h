@@ -38,7 +38,7 @@ class Along : public Joint {
   Along(BodyId a, BodyId b, real length, bool pushes = false)
       : Joint(a, b), length(length), pushes(pushes) {}
   void append(const Bodies& bodies, Blocks& blocks) const override {
-    RowTarget target = hold(pushes ? real(0) : -unbounded);
+    RowSettings target = hold(pushes ? real(0) : -unbounded);
     target.rate = rate;
     const real C = bodies[body2].x.x - bodies[body1].x.x - length;
     blocks.append(bodies, body1, body2, Jacobian<1>{{{{vec3(-1, 0, 0), vec3(0), vec3(1, 0, 0),

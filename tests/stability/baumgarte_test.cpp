@@ -14,7 +14,7 @@ struct OpenJoint {
   BodyId cube;
   BallJoint* joint;
   SequentialImpulses solver;
-  Stepping stepping{};
+  StepOptions stepping{};
   OpenJoint(const vec3& gap, real beta) {
     world.gravity = vec3(0);
     const BodyId wall = world.add(static_body(vec3(0)));
@@ -63,7 +63,7 @@ struct Turning {
   BodyId wall, cube;
   BallJoint* joint;
   SequentialImpulses solver;
-  Stepping stepping{};
+  StepOptions stepping{};
   Turning(double w, double r) {
     world.gravity = vec3(0);
     wall = world.add(static_body(vec3(0)));

@@ -15,7 +15,7 @@ struct Between {
   std::vector<BodyId> ids;
   std::vector<BallJoint*> joints;
   SequentialImpulses solver;
-  Stepping stepping{};
+  StepOptions stepping{};
 
   explicit Between(double bend, real end_mass = 0) {
     const real x = real(link * std::cos(bend)), y = real(link * std::sin(bend));

@@ -41,7 +41,7 @@ Outcome run_heavy_end(double ratio, const Way& way, int substeps) {
   const auto solver = [&]() -> bench::Step {
     SequentialImpulses si;
     si.iterations = way.iterations;
-    const Stepping stepping{.warm_start = way.warm, .substeps = substeps,
+    const StepOptions stepping{.warm_start = way.warm, .substeps = substeps,
                             .projections = way.projections};
     return [&, si, stepping](World& world, real length) mutable {
       step(world, si, length, stepping);
@@ -61,7 +61,7 @@ struct Cubes {
   std::vector<BodyId> ids;
   std::vector<HingeJoint*> joints;
   SequentialImpulses solver;
-  Stepping stepping{};
+  StepOptions stepping{};
 
   Cubes(int links, bool level) {
     for (int k = 0; k <= links; ++k) {

@@ -43,7 +43,7 @@ TEST_CASE("X5 a rod whose ends coincide is not pushed anywhere until they part")
     auto& centre = world.add<CentreDistanceJoint>(wall, a, CentreDistance{1});
     auto& rod = world.add<DistanceJoint>(wall, b, Distance{vec3(0), vec3(0), 1});
     SequentialImpulses solver;
-    Stepping stepping{.warm_start = warm};
+    StepOptions stepping{.warm_start = warm};
     for (int n = 0; n < 10; ++n) step(world, solver, h, stepping);
     for (BodyId id : {a, b}) {
       CHECK(world.bodies[id].x == vec3(1, 2, 3));
@@ -69,7 +69,7 @@ TEST_CASE("X5 a rope of length 0 holds two points together and two that coincide
     const BodyId box_id = world.add(box(2, vec3(1), vec3(3, 0, 0)));
     world.add<RopeJoint>(wall, box_id, Rope<Distance>{{vec3(3, 0, 0), vec3(0), 0}});
     SequentialImpulses solver;
-    Stepping stepping{.warm_start = warm};
+    StepOptions stepping{.warm_start = warm};
     for (int n = 0; n < 600; ++n) {
       step(world, solver, h, stepping);
       REQUIRE(all_finite(world));
@@ -100,7 +100,7 @@ TEST_CASE("X6 a joint between two static bodies moves nothing in a thousand step
   world.add<RopeJoint>(a, b, Rope<Distance>{{vec3(0), vec3(0), 1}});
   for (bool warm : {false, true}) {
     SequentialImpulses solver;
-    Stepping stepping{.warm_start = warm};
+    StepOptions stepping{.warm_start = warm};
     for (int n = 0; n < 1000; ++n) step(world, solver, h, stepping);
     CHECK(world.blocks.list.empty());
   }
@@ -116,7 +116,7 @@ TEST_CASE("X6 a joint that lost its last body that can move pulls no more") {
   const BodyId body = world.add(ball(3, 1, vec3(0)));
   auto& joint = world.add<BallJoint>(wall, body, Point{});
   SequentialImpulses solver;
-  Stepping stepping{.warm_start = true};
+  StepOptions stepping{.warm_start = true};
   for (int n = 0; n < 5; ++n) step(world, solver, h, stepping);
   CHECK(double(joint.impulse()[1] / h) == Approx(29.43).epsilon(1e-4));
   const Body moving = world.bodies[body];

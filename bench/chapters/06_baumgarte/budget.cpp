@@ -41,7 +41,7 @@ void measure(const std::string& path, int links, real end, double seconds) {
         last.inverse_inertia_local /= end;
         chain.scene.energy_scale += double(100 * (end - 1)) * 9.81 * links;
         chain.scene.h = h / real(substeps);
-        Stepping& stepping = chain.scene.stepping;
+        StepOptions& stepping = chain.scene.stepping;
         TwoPassImpulses solver;
         stepping.warm_start = warm;
         stepping.frequency = method.frequency;

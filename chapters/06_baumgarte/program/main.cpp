@@ -43,7 +43,7 @@ struct Pendulum {
   ChainLoop own;
   World world;
   SequentialImpulses solver;
-  Stepping stepping{};
+  StepOptions stepping{};
   BodyId bar;
 
   Pendulum(const Method& method, const vec3& place, int iterations) {

@@ -27,7 +27,7 @@ struct RowSettings {
   real damping = 1;    ///< damping ratio of that spring [1]
   real rate = 0;       ///< target rate of the last row [unit of C per s]: the speed of a motor
   bool holds_position = true;  ///< true: C is an error to be removed; false: only a rate is given
-  /// Friction, if not 0: this block of one row has the bounds -+upper times the impulse `follows`
+  /// If not 0: this block of one row has the bounds -+upper times the impulse `follows`
   /// places behind its own (Block::impulse), which is that of a one-sided row; `upper` is then a
   /// factor [1], and `lower` is ignored. The rows are as many places apart in Blocks.
   int follows = 0;

@@ -44,9 +44,10 @@ struct BoundedRow {
 /// those of a hinge and its motor do.
 constexpr int most_rows = 6;
 
-/// Makes a vector of `count` zeros.
+/// Makes a vector of `count` zeros, with room for some more: rows of limits come and go.
 template <class Number>
 void zeros(std::vector<Number>& list, std::size_t count) {
+  if (list.capacity() < count) list.reserve(2 * count);
   list.assign(count, Number{});
 }
 

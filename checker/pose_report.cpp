@@ -55,6 +55,22 @@ std::string likely_mistakes(std::vector<const Sample*> open) {
   return out;
 }
 
+// Zero at some of the wrong poses alone: these are the ones where nothing moves.
+void tell_zeros_apart(const std::vector<const Sample*>& wrong, std::vector<Sample>& samples) {
+  const auto zero = [](const Sample* s) {
+    return std::find(s->mistakes.begin(), s->mistakes.end(), told_all_zero) != s->mistakes.end();
+  };
+  if (std::none_of(wrong.begin(), wrong.end(), zero) ||
+      std::all_of(wrong.begin(), wrong.end(), zero))
+    return;
+  for (Sample& s : samples)
+    if (std::find(wrong.begin(), wrong.end(), &s) != wrong.end()) {
+      std::erase(s.mistakes, told_all_zero);
+      s.mistakes.push_back("#zero-at-some it is zero at some poses alone: does a velocity stand "
+                           "where a place belongs, v for x?");
+    }
+}
+
 // The poses at which it holds, and the likely mistake at the others.
 std::string verdict(std::vector<Sample>& samples, double tolerance,
                     const std::vector<std::string>& rows, decltype(guess_J) guess) {
@@ -64,6 +80,7 @@ std::string verdict(std::vector<Sample>& samples, double tolerance,
     (holds ? right : wrong).push_back(&s);
     if (!holds) guess(s, tolerance, rows);
   }
+  tell_zeros_apart(wrong, samples);
   std::vector<std::string> holds = poses_of(right);
   const std::vector<std::string> fails = poses_of(wrong);
   std::erase_if(holds, [&](const std::string& pose) {

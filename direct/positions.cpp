@@ -27,7 +27,11 @@ void Positions::move(int newton, double tolerance) {
   own_.errors_met.clear();
   const int count = int(islands_.list.size());
   own_.impulses.resize(std::size_t(count));
-  for (int k = 0; k < count; ++k) own_.impulses[k] = islands_.list[k].system.impulse;
+  for (int k = 0; k < count; ++k) {
+    const std::vector<double>& now = islands_.list[k].system.impulse;
+    own_.impulses[k].reserve(now.capacity());
+    own_.impulses[k] = now;
+  }
   own_.expected = corrections_.expected;
   own_.moved.assign(std::size_t(bodies_.slots()), false);
   own_.tries.assign(std::size_t(count), {});

@@ -100,7 +100,8 @@ class Exercise {
     this.report.hidden = false;
     this.report.className = `report ${kind}`;
     const narrow = matchMedia("(max-width: 600px)").matches;  // a table needs the margin
-    const here = words.replace(/\.\/wb hint \S+/g, "the button Hint");
+    const here = words.replace(/\.\/wb hint \S+/g, "the button Hint")
+      .replace(/\.\/wb test \S+/g, "the button Check").replace(/(Next: [\d.]+), \S+:\d+/, "$1");
     this.report.textContent = narrow ? here.replace(/^ {1,4}/gm, "") : here;
   }
   stale() {

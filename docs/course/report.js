@@ -211,7 +211,7 @@ function refused(printed, chapter, file) {
                     `${missing.join("; ")}.`, 2));
   if (inside) out.push(`  The first error lies in exercise ${inside.id}, line ${line}.`);
   if (meaning) out.push(folded(`Likely mistake: ${meaning}`, 2));
-  if (inside) out.push(`  Next: ./wb hint ${inside.id}\n`);
+  if (inside) out.push(`  Next: mend it, then ./wb test ${inside.id}\n`);
   if (!missing.length) out.push(indented(errors_of(printed)));
   return {text: out.join("\n"), line, words: error ? error[2] : "", id: inside?.id};
 }

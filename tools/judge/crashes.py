@@ -79,6 +79,8 @@ REFUSED = {  # of the compiler's words
     r".(body[12]). was not declared|undeclared identifier .(body[12])": "no line above declares "
         "\\1\\2. A link or a block has the number of the body: Body& \\1\\2 = "
         "bodies[link.\\1\\2];",
+    r".([xvwq])([12]). was not declared|undeclared identifier .([xvwq])([12])": "the letter of a "
+        "formula is a member here: \\1\\3\\2\\4 is body\\2\\4.\\1\\3.",
     r".(\w+). (?:was not|has not been) declared|undeclared identifier .(\w+)": "no line above "
         "declares \\1\\2. A function knows its arguments, what it declares itself, and what the "
         "table under Code in the chapter's text lists.",

@@ -127,7 +127,7 @@ def tell_broken(chapter, words):
         print(f"  The first error lies in exercise {id_}, line {number}.")
         if meaning:
             print(folded(f"Likely mistake: {meaning}", 2))
-        print(f"  Next: ./wb hint {id_}\n")
+        print(f"  Next: mend it, then ./wb test {id_}\n")
     print(indented(words))
     return False
 

@@ -36,6 +36,7 @@
 // wrong sizes-direction: direction(body2.x - body1.x) ==> abs(direction(body2.x - body1.x))
 // wrong arms-where-nothing-turns: vec3(0), n, vec3(0) ==> -n, n, n
 // wrong all-zero: direction ==> real(1 / 2) * direction
+// wrong zero-at-some: direction(body2.x - body1.x) ==> direction(body2.v - body1.v)
 // right normalize with a guard: n = direction(body2.x - body1.x) ==> u = body2.x - body1.x; const
 //         vec3 n = dot(u, u) > 0 ? normalize(u) : vec3(0)
 // right block by block: return {-n, vec3(0), n, vec3(0)}; ==> Row J; J.v1 = -n; J.v2 = n; return J;

@@ -27,7 +27,7 @@ TEST_CASE("1.1 the row of a rod is the slope of its length at every pose", "[1.1
 
 TEST_CASE("1.1 a rod between centres that coincide has no direction and no row", "[1.1]") {
   const Row J = CentreDistance{1}.jacobian(rod_paper1, rod_paper1);
-  expect(CentreDistanceFixture::J, "v2 where the centres coincide", J.v2, vec3(0), 0);
+  expect(CentreDistanceFixture::J, "centres coincide: v2", J.v2, vec3(0), 0);
 }
 
 TEST_CASE("1.1 centres a hair apart still have a direction", "[1.1]") {

@@ -197,7 +197,7 @@ def refusals_of_the_compiler_are_told(root, build):
         door.write(e1_1="vec3 n; real a; return {a * n, n, n, n};")
         yield from typed(door, "test 1.2", 1, "not written yet")
         yield from typed(door, "test 1.1", 1, "does not compile", "lies in exercise 1.1, line",
-                         "a variable is read before it is set", "./wb hint 1.1",
+                         "a variable is read before it is set", "mend it, then ./wb test 1.1",
                          hidden=["-std=", "warning:"], wide=True)
         yield from typed(door, "run 1", 2, "does not compile")
         for id_, code, said in (

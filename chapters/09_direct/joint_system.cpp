@@ -260,13 +260,13 @@ void JointSystem::push(int node, const double* by) {
 
 // J V of a node.
 void JointSystem::rates_of(int node, double* out) const {
-  const HalfRow* const rows = &J_[2 * A.nodes[node].row];
   const HalfRow& one = velocities_[columns_[node][0]];
   const HalfRow& two = velocities_[columns_[node][1]];
   with_size(A.nodes[node].rows, [&](auto n) {
-    for (int i = 0; i < n; ++i)
-      out[i] = (dot(rows[i].v, one.v) + dot(rows[i].w, one.w)) +
-               (dot(rows[n + i].v, two.v) + dot(rows[n + i].w, two.w));
+    const HalfRow* a = &J_[2 * A.nodes[node].row];
+    const HalfRow* b = a + n;
+    for (int i = 0; i < n; ++i, ++a, ++b)
+      out[i] = (dot(a->v, one.v) + dot(a->w, one.w)) + (dot(b->v, two.v) + dot(b->w, two.w));
   });
 }
 
@@ -289,17 +289,16 @@ void JointSystem::correct() {
   for (std::size_t k = 0; k < columns_.size(); ++k) rates_of(int(k), &x[A.nodes[k].row]);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = wanted_[i] - x[i];
   for (std::size_t k = 0; springs_ && k < blocks.size(); ++k) {
+    if (softness_[k] == 0) continue;
     const SystemBlock& block = blocks[k];
     const int n = block.rows, row = row_of(block);
-    for (int j = 0; softness_[k] > 0 && j < n; ++j)  // K lambda of a spring
-      for (const int of : {0, 1}) {
-        const HalfRow* const rows = half(block.node, of) + block.first;
-        const auto& [linear, angular] = masses_[block.columns[of]];
-        const HalfRow response{linear * rows[j].v, angular * rows[j].w};
-        for (int i = 0; i < n; ++i)
-          x[row + i] -= softness_[k] * impulse[row + j] *
-                        (dot(rows[i].v, response.v) + dot(rows[i].w, response.w));
-      }
+    double K[36] = {};
+    for (const int of : {0, 1}) {
+      const HalfRow* const rows = half(block.node, of) + block.first;
+      add_coupling(rows, n, rows, n, masses_[block.columns[of]], K);
+    }
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) x[row + i] -= softness_[k] * K[i * n + j] * impulse[row + j];
   }
   for (const BoundedRow& bound : bounded) {
     const int last = last_row(bound);

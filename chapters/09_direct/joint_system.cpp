@@ -146,7 +146,9 @@ void JointSystem::set_rows(const SystemBlock& block, const Row* rows) {
 }
 
 void JointSystem::set_mass(int column, const Body& body) {
-  masses_[column] = {double(body.inverse_mass), glm::dmat3(inverse_inertia(body))};
+  glm::dmat3 I(inverse_inertia(body));  // not quite symmetric where real is float, but A has to be
+  I[0][1] = I[1][0], I[0][2] = I[2][0], I[1][2] = I[2][1];
+  masses_[column] = {double(body.inverse_mass), I};
 }
 
 void JointSystem::load(const Bodies& all) {

@@ -91,7 +91,8 @@ double inverse_pivot(double pivot, double original);
 
 #ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 /// Exercise 9.5: one step of second order, Eq. 9-9: step() with StepOptions::leapfrog, for a world
-/// of hard joints in which no row is at a bound. \param solver its blocks are solved once \param h [s]
+/// of hard joints in which no row is at a bound. \param solver its blocks are solved once
+/// \param h [s]
 void second_order_step(World& world, Solver& solver, real h);
 #endif
 

@@ -25,6 +25,7 @@ void SolverMemory::read(const std::vector<real>& from, int slots) {
     patterns.push_back(*at >= 0 && *at < real(1 << 24) ? int(*at) : 0);
   const std::size_t rows = rows_of(patterns);
   if (std::size_t(from.end() - at) == 2 * rows) {
+    last.reserve(from.capacity()), expected.reserve(from.capacity());
     last.assign(at, at + long(rows));
     expected.assign(at + long(rows), from.end());
   } else {

@@ -108,6 +108,7 @@ int JointSystem::at(int later, int earlier) const {
 
 void JointSystem::prepare(const Blocks& given, const real* expected, real h) {
   bounded.clear();
+  bounded.reserve(blocks.capacity());
   factored = springs_ = loops_ = false;
   passes = wrong = 0;
   const real acting = given.duration_or(h);

@@ -1,4 +1,4 @@
-// The inertia that is added to the links of taut chains. Given, there is nothing to edit here.
+// The inertia that is added to the links of taut chains.
 #pragma once
 
 #include "direct/joint_islands.h"

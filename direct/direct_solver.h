@@ -1,4 +1,4 @@
-// The direct solver: finds the impulses of all joints at once. Given, there is nothing to edit.
+// The direct solver: finds the impulses of all joints at once.
 #pragma once
 
 #include "direct/positions.h"

@@ -1,4 +1,4 @@
-// The islands of the blocks, each a system of its own. Given, there is nothing to edit here.
+// The islands of the blocks, each a system of its own.
 #pragma once
 
 #include <map>

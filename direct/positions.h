@@ -1,4 +1,4 @@
-// The direct solver moves the bodies onto the constraints. Given, there is nothing to edit here.
+// The direct solver moves the bodies onto the constraints.
 #pragma once
 
 #include <span>

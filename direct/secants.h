@@ -1,5 +1,4 @@
 // Newton's method without derivatives: learns from its own corrections how errors follow the rates.
-// There is nothing to edit here.
 #pragma once
 
 #include <cmath>

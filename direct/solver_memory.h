@@ -1,4 +1,4 @@
-// What the direct solver keeps from one step for the next one. Given, there is nothing to edit.
+// What the direct solver keeps from one step for the next one.
 #pragma once
 
 #include <vector>

@@ -27,7 +27,7 @@ void TwoPassImpulses::advance(Bodies& bodies, real h, const Append& append) {
 
 // Gives a block the scales and biases of another target with the same bounds.
 void TwoPassImpulses::retarget(PreparedBlock& block, const Blocks& blocks,
-                                  const RowSettings& target, real h) {
+                               const RowSettings& target, real h) {
   const SoftCoefficients now = soft_coefficients(target, h, blocks.duration_or(h), relaxation);
   const real scale = now.mass_scale / block.step.mass_scale;
   for (int i = 0; i < block.rows * block.rows; ++i)

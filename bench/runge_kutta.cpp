@@ -143,6 +143,12 @@ void RungeKutta::begin(World& world, real h) {
 // Sets the bodies to their state in a stage, or at the step's end, from the slopes before it.
 void RungeKutta::write(Bodies& bodies, int stage) const {
   for (int slot = 0; slot < bodies.slots(); ++slot) {
+    Body& body = bodies.at(slot);
+    if (body.kinematic) {
+      body.x = start_[slot].x, body.q = start_[slot].q;
+      integrate_pose(body, stage < stages ? h_ * times[stage] : h_);
+      continue;
+    }
     Body to = start_[slot];
     for (int k = 0; k < stage; ++k) {
       const Slope& slope = slopes_[k][slot];
@@ -152,7 +158,6 @@ void RungeKutta::write(Bodies& bodies, int stage) const {
       to.v += time * slope.v;
       to.w += time * slope.w;
     }
-    Body& body = bodies.at(slot);
     body.x = to.x, body.q = unit(to.q), body.v = to.v, body.w = to.w;
   }
 }
@@ -235,7 +240,7 @@ void RungeKutta::find_free_slope(World& world, real time, std::vector<Slope>& sl
   slope.clear();
   for (int slot = 0; slot < bodies.slots(); ++slot) {
     const Body& body = bodies.at(slot);
-    if (body.is_static()) {  // stays where it is; a belt keeps its velocity
+    if (body.is_static()) {  // a belt and a kinematic body keep their velocities
       slope.push_back({vec3(0), quat(0, 0, 0, 0), vec3(0), vec3(0)});
       continue;
     }

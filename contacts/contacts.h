@@ -126,10 +126,8 @@ class Contacts {
   /// before the bodies touch.
   Body ahead(BodyId id) const {
     Body body = world_.bodies[id];
-    if (!body.is_static()) {
-      body.v += h_ * world_.gravity;
-      integrate_pose(body, h_);
-    }
+    if (!body.is_static()) body.v += h_ * world_.gravity;
+    integrate_pose(body, h_);
     return body;
   }
   /// Begins to collect. Pairs of removed bodies are forgotten.

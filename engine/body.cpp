@@ -36,6 +36,8 @@ void check(const Body& body) {
   const bool turns = inertia.x > 0 && inertia.y > 0 && inertia.z > 0;
   require(body.inverse_mass > 0 ? turns : inertia == vec3(0), "inverse_inertia_local", inertia,
           "must be zero where inverse_mass is (static), and positive elsewhere");
+  require(!body.kinematic || body.is_static(),
+          "kinematic: only a static body can be; forces move this one");
 }
 
 // ---- construction -------------------------------------------------------------------------------
@@ -139,10 +141,22 @@ void clamp_speed(Body& body) {
 }
 
 void integrate_pose(Body& body, real h) {
-  if (body.is_static()) return;
+  if (body.is_static() && !body.kinematic) return;
   clamp_speed(body);
   body.x += h * body.v;
   if (body.w != vec3(0)) body.q = normalize(rotation(h * body.w) * body.q);
+}
+
+void move_to(Body& body, const vec3& x, const quat& q, real h) {
+  require(body.kinematic, "body: only a kinematic body can be moved to a place");
+  require(h > 0 && h < unbounded, "h", h, "must be positive and finite [s]");
+  const Body there = static_body(x, q);  // validates both
+  quat e = there.q * conjugate(body.q);
+  if (e.w < 0) e = -e;
+  const vec3 axis(e.x, e.y, e.z);
+  const real sine = length(axis), angle = 2 * std::atan2(sine, e.w);
+  body.v = (there.x - body.x) / h;
+  body.w = (sine > 0 ? angle / sine : real(2)) / h * axis;
 }
 
 // ---- the array ----------------------------------------------------------------------------------

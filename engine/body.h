@@ -36,9 +36,13 @@ struct Body {
   vec3 inverse_inertia_local{0};  ///< inverse principal moments [1/(kg m^2)], body space
   vec3 force{0};                  ///< external force at the centre [N], world; steps keep it
   vec3 torque{0};                 ///< external torque [N m], world; steps keep it
+  /// Kinematic: a static body that steps move by v and w, which the program sets. No force and no
+  /// joint changes them. A static body that is not kinematic stays where it is, even if v is not
+  /// zero: a belt.
+  bool kinematic = false;
   MatricesOfStep matrices{};      ///< of q, while a step makes its rows
 
-  /// True if nothing can move this body.
+  /// True if no force and no joint can move this body.
   bool is_static() const { return inverse_mass == 0; }
   /// True if all three principal moments are equal: then no rotation changes the world inertia.
   bool is_isotropic() const {
@@ -48,7 +52,8 @@ struct Body {
 };
 
 /// Validates it. \throws std::invalid_argument, with member and value, unless all numbers
-/// are finite, q has length 1, and inverse mass and moments are all zero (static) or all positive
+/// are finite, q has length 1, inverse mass and moments are all zero (static) or all positive, and
+/// only a static body is kinematic
 void check(const Body& body);
 
 /// Rotates a direction or lever from body space into world space: R(q) local.
@@ -79,7 +84,7 @@ inline vec3 angular_response(const Body& body, const vec3& L) {
                            : rotated_inverse_inertia(body) * L;
 }
 
-/// A body that never moves. \param x its centre [m] \param q its orientation (normalised here)
+/// A body that no force moves. \param x its centre [m] \param q its orientation (normalised here)
 /// \throws std::invalid_argument unless x and q are finite and q is not zero
 Body static_body(const vec3& x, const quat& q = quat(1, 0, 0, 0));
 /// Validates the edges of a box. \param size three edges [m]
@@ -112,9 +117,15 @@ void integrate_forces(Body& body, const vec3& gravity, real h);
 constexpr real max_speed = real(3e8);
 /// Scales finite velocities down to max_speed.
 void clamp_speed(Body& body);
-/// The last part of a step: clamps the velocities and changes position and orientation by them.
-/// \param h step [s]
+/// The last part of a step: clamps the velocities and changes position and orientation by them,
+/// also of kinematic bodies. \param h step [s]
 void integrate_pose(Body& body, real h);
+/// Sets v and w of a kinematic body such that it is at x and q after h seconds. It keeps these
+/// velocities until the program sets others. Of the two rotations that lead to q, it takes the
+/// shorter one. \param x its centre then [m] \param q its orientation then (normalised here)
+/// \param h time until then [s], the length of a whole step, whatever its substeps
+/// \throws std::invalid_argument unless the body is kinematic, all is finite and h positive
+void move_to(Body& body, const vec3& x, const quat& q, real h);
 /// The angular velocity after a torque-free step of length h, by the implicit midpoint rule in the
 /// body's axes with three Newton iterations. When converged it conserves the energy w.(I w)/2
 /// exactly.

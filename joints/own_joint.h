@@ -37,39 +37,39 @@ inline Composite<Point, RightAngle> cross_at(const Body& body1, const Body& body
 // ---- parts that count turns ------------------------------------------------------------------
 
 /// A joint of a part that counts turns. The part has two angles, `angle1` and `angle2`, or one of
-/// them, or `angle`, and a function `count` like that of Gear.
+/// them, or `angle`, and a function `count` like that of Gear. Once a step is solved, its new
+/// velocities say where the angles will be at the end, to within less than half a turn: whoever
+/// evaluates the part there, the solver or a projection, finds the right turn.
 template <class Counted>
 class CountingJoint : public PartJoint<Counted> {
  public:
   using PartJoint<Counted>::PartJoint;
   /// C at the present poses, with all turns until the end of the last step.
   real error(const Bodies& bodies) const {
-    return next_.error(bodies[this->body1], bodies[this->body2]);
+    return this->part.error(bodies[this->body1], bodies[this->body2]);
   }
   /// Measures again where position projection has moved the bodies.
-  void after_projection(const Bodies& bodies) override { count(this->part, bodies, 0); }
+  void after_projection(const Bodies& bodies) override { count(bodies, 0); }
   /// Appends nothing. With the new velocities it expects the angles at the end of the step.
   void activate_missed_limits(const Bodies& bodies, real h, Blocks&) override {
-    turns(next_) = turns(this->part);
-    count(next_, bodies, h);
+    turns(this->part) = turns(begin_);
+    count(bodies, h);
   }
 
  protected:
   void update_active_rows(const Bodies& bodies, real) override {
-    turns(this->part) = turns(next_);
-    count(this->part, bodies, 0);
-    turns(next_) = turns(this->part);
+    count(bodies, 0);
+    turns(begin_) = turns(this->part);
   }
   /// Saves or restores the impulses and the turns.
   void serialize(StateStream& stream) override {
     PartJoint<Counted>::serialize(stream);
-    for (Counted* part : {&this->part, &next_})
-      std::apply([&](auto&... expected) { stream(expected...); }, turns(*part));
+    std::apply([&](auto&... expected) { stream(expected...); }, turns(this->part));
   }
 
  private:
-  void count(Counted& part, const Bodies& bodies, real h) const {
-    part.count(bodies[this->body1], bodies[this->body2], h);
+  void count(const Bodies& bodies, real h) {
+    this->part.count(bodies[this->body1], bodies[this->body2], h);
   }
   static auto turns(Counted& part) {
     if constexpr (requires { part.angle2; })
@@ -79,7 +79,7 @@ class CountingJoint : public PartJoint<Counted> {
     else
       return std::tie(part.angle.expected);
   }
-  Counted next_ = this->part;  // its `expected` are those after the step
+  Counted begin_ = this->part;  // its `expected` are those when the step began
 };
 
 /// Validates it. \throws std::invalid_argument unless its angles are valid, its ratio is not 0

@@ -43,12 +43,13 @@ struct Rack {
   }
 };
 /// Validates it. \throws std::invalid_argument unless the angle is valid, the direction has length
-/// 1 and the rest is finite
+/// 1, the rest is finite and the radius not 0
 inline void check(const Rack& rack) {
   check(rack.angle1);
   require_unit("direction", rack.direction);
   require(finite(rack.start) && finite(rack.anchor2_local), "start: must be finite [m]");
-  require(finite(rack.radius), "radius", rack.radius, "must be finite [m]");
+  require(finite(rack.radius) && rack.radius != 0, "radius", rack.radius,
+          "must be finite and not 0 [m]");
 }
 /// The arguments of a RackJoint, for the present poses.
 /// \param axle direction of the pinion's axle, world, of any length \param direction of the rack,

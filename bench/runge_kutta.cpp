@@ -119,6 +119,7 @@ void RungeKutta::step(World& world, real h) {
 // Rejects worlds that it cannot move, and factors the blocks at the present poses.
 void RungeKutta::begin(World& world, real h) {
   check_input(world, h);
+  require(most_work >= 0, "most_work", real(most_work), "must not be negative");
   const char* const bounded =
       "world: no joint may have limits, a motor, friction or a spring of a coordinate, and no row "
       "may have bounds";

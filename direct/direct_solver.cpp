@@ -23,6 +23,7 @@ void DirectSolver::check() const {
   require(alternations > 0, "alternations", real(alternations), "must be positive");
   require(passes > 0, "passes", real(passes), "must be positive");
   require(most_work >= 0, "most_work", real(most_work), "must not be negative");
+  require(inverse != nullptr, "inverse: must be a function, such as inverse_pivot");
   fallback.check();
 }
 

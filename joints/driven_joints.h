@@ -204,6 +204,12 @@ class StrutJoint : public WithCoordinates<NoRows, Length> {
   StrutJoint(const Bodies& bodies, BodyId id1, BodyId id2, const vec3& point1, const vec3& point2)
       : WithCoordinates(id1, id2, {}, {to_local(bodies[id1], point1 - bodies[id1].x),
                                        to_local(bodies[id2], point2 - bodies[id2].x)}) {}
+  /// See Joint. A distance is never below zero, and neither is its upper limit.
+  void check_input(const Bodies& bodies) const override {
+    WithCoordinates::check_input(bodies);
+    const real upper = coordinate<0>().limits().upper;
+    require(upper >= 0, "length: upper limit", upper, "must not be negative [m]");
+  }
   auto& length() { return coordinate<0>(); }  ///< the distance of the two points [m]
 };
 

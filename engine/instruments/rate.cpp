@@ -8,7 +8,12 @@
 
 namespace joints {
 
+static void check_most(int most) {
+  require(most > 1, "most: a rate needs at least two iterations");
+}
+
 double contraction_rate(const std::function<double()>& iterate, int most) {
+  check_most(most);
   std::vector<double> sizes;
   while (int(sizes.size()) < most) {
     const double size = iterate();
@@ -23,6 +28,7 @@ double contraction_rate(const std::function<double()>& iterate, int most) {
 
 double contraction_rate(World& world, int most, real h, SequentialImpulses solver,
                         const StepOptions& how) {
+  check_most(most);  // before anything changes
   const State as_it_was = save(world);
   begin_step(world, solver, h, how);
   std::vector<double> before(world.blocks.C.size(), 0.0);

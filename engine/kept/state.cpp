@@ -1,8 +1,10 @@
 // Saves and restores the numbers of a world.
 #include "engine/kept/state.h"
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <typeinfo>
 
 #include "engine/kept/input.h"
 #include "engine/kept/state_stream.h"
@@ -13,6 +15,16 @@ namespace {
 
 void exchange(Body& body, StateStream& stream) {
   stream(body.x, body.q, body.v, body.w, body.force, body.torque);
+}
+
+// 0 static, 1 kinematic, 2 moved by forces.
+int kind(const Body& body) { return body.is_static() ? int(body.kinematic) : 2; }
+
+// A number of the type, from its name.
+int kind(const Joint& joint) {
+  std::uint32_t sum = 2166136261u;  // FNV-1a
+  for (const char* at = typeid(joint).name(); *at; ++at) sum = (sum ^ std::uint8_t(*at)) * 16777619u;
+  return int(sum >> 1);
 }
 
 std::string text(const std::array<int, 3>& shape) {
@@ -38,6 +50,15 @@ void require_shape(const State& state, const State& own) {
     if (state.shapes[k] != own.shapes[k])
       refuse("state: joint " + std::to_string(k) + " " + text(state.shapes[k]) +
              "; this world's " + text(own.shapes[k]));
+  require_same("kinds", state.kinds.size(), own.kinds.size());
+  for (std::size_t k = 0; k < own.kinds.size(); ++k) {
+    const std::size_t bodies = own.slots.size();
+    if (state.kinds[k] == own.kinds[k]) continue;
+    refuse(k < bodies ? "state: the body in slot " + std::to_string(own.slots[k]) +
+                            " is static, kinematic or moving, unlike this world's"
+                      : "state: joint " + std::to_string(k - bodies) +
+                            " is of another kind than this world's");
+  }
   require_same("numbers of bodies", state.bodies.size(), own.bodies.size());
   require_same("numbers of joints", state.joints.size(), own.joints.size());
 }
@@ -66,6 +87,7 @@ State save(const World& world) {
     Body body = world.bodies.at(slot);
     exchange(body, bodies);
     out.slots.push_back(slot);
+    out.kinds.push_back(kind(body));
   }
   for (const auto& joint : world.joints()) {
     if (joint->transient()) continue;
@@ -73,6 +95,7 @@ State save(const World& world) {
     serialize(*joint, numbers);
     out.shapes.push_back({int(joint->body1.slot), int(joint->body2.slot),
                           int(out.joints.size() - before)});
+    out.kinds.push_back(kind(*joint));
   }
   return out;
 }

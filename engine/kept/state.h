@@ -27,6 +27,7 @@ struct State {
   std::vector<int> slots;   ///< of the bodies in their array
   std::vector<real> bodies;  ///< 19 for each: x, q (w, x, y, z), v, w, force, torque
   std::vector<std::array<int, 3>> shapes;  ///< for each joint two slots and its count of numbers
+  std::vector<int> kinds;  ///< of the bodies (0 static, 1 kinematic, 2 moving), then of the joints
   std::vector<real> joints;  ///< the numbers of the joints; infinite for a limit that is not set
 
   bool operator==(const State&) const = default;  ///< the same numbers

@@ -1,5 +1,10 @@
 // Bad input to hinge, slider and weld is refused with the argument named, and the world stays as it
 // was (case X16).
+#include "bench/runge_kutta.h"
+#include "direct/direct_solver.h"
+#include "engine/instruments/rate.h"
+#include "joints/driven_joints.h"
+#include "joints/rack_joint.h"
 #include "tests/oracle/test.h"
 
 using Catch::Matchers::StartsWith;
@@ -164,4 +169,35 @@ TEST_CASE("X16 an axis too long or too short to be squared is refused or taken a
     const auto& hinge = static_cast<const HingeJoint&>(*small.world.joints().back());
     CHECK(double(length(hinge.second.a1_local)) == Approx(1).epsilon(tolerance(1e-12, 1e-6)));
   }
+}
+
+TEST_CASE("a cross of parallel pins, a length below zero and a pinion of no radius are refused") {
+  Small small;
+  const vec3 nearly = axis + vec3(real(1e-9), 0, 0);
+  CHECK_THAT(small.add<UniversalJoint>(small.wall, small.weight, anchor, axis, nearly),
+             StartsWith("pin2: must not be parallel"));
+  CHECK_THAT(small.add<UniversalJoint>(small.wall, small.weight, anchor, axis, real(-3) * axis),
+             StartsWith("pin2: must not be parallel"));
+  CHECK_THAT(small.add<RackJoint>(small.weight, small.wall, axis, vec3(1, 0, 0), real(0)),
+             StartsWith("radius is 0"));
+  CHECK(small.unchanged());
+  auto& strut = small.world.add<StrutJoint>(small.wall, small.weight, vec3(0), vec3(0, -1, 0));
+  strut.length().set_limits(-3, -1);
+  SequentialImpulses solver;
+  CHECK_THAT(refusal([&] { step(small.world, solver, h); }),
+             StartsWith("joint 1: length: upper limit is -1"));
+}
+
+TEST_CASE("settings with which no step can be computed are refused in words") {
+  Small small;
+  DirectSolver direct;
+  direct.inverse = nullptr;
+  CHECK_THAT(refusal([&] { step(small.world, direct, h); }), StartsWith("inverse: must be"));
+  RungeKutta method;
+  method.most_work = double(no_number);
+  CHECK_THAT(refusal([&] { method.step(small.world, h); }), StartsWith("most_work is nan"));
+  for (const int most : {-1, 0, 1})
+    CHECK_THAT(refusal([&] { contraction_rate(small.world, most); }),
+               StartsWith("most: a rate needs"));
+  CHECK(small.unchanged());
 }

@@ -15,6 +15,8 @@ void one_joint(const Choice& choice, std::vector<Summary>& lines);
 void in_a_chain(const Choice& choice);
 /// Many joints: rods that contradict each other, the methods side by side.
 void many_joints(const Choice& choice, std::vector<Summary>& lines);
+/// Arms about a hub, for which the criterion of chains does not hold.
+void hubs(const Choice& choice);
 /// The numbers of the answers to the questions.
 void questions(const Choice& choice);
 /// Every method with the same number of iterations, in one step or in many.

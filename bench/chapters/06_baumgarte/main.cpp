@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
     in_a_chain(choice);
     many_joints(choice, lines);
     budget(choice);
+    hubs(choice);
     between_walls(choice, lines);
     questions(choice);
     report(lines, choice.out + "/experiments");

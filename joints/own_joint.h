@@ -31,7 +31,8 @@ inline Composite<Point, RightAngle> cross_at(const Body& body1, const Body& body
                                              const vec3& anchor, const vec3& pin1,
                                              const vec3& pin2) {
   const vec3 a1 = normalize(pin1), across = pin2 - dot(pin2, a1) * a1, a2 = normalize(across);
-  require(!(dot(across, across) <= real(1e-6) * dot(pin2, pin2)), "pin2: must not be parallel to pin1");
+  require(!(dot(across, across) <= real(1e-6) * dot(pin2, pin2)),
+          "pin2: must not be parallel to pin1");
   return {point_at(body1, body2, anchor), {to_local(body1, a1), to_local(body2, a2)}};
 }
 

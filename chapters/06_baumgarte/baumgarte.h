@@ -31,8 +31,8 @@ real beta_for(real half_time, real h);
 /// step, which this function applies to the two bodies [N s]
 void warm_start(const Jacobian<3>& J, real ratio, vec3& lambda, Body& body1, Body& body2);
 
-/// Exercise 6.2, second part: true if a warm start together with beta keeps a chain stable (Eq. 6-9;
-/// a hub with three or more joints may be unstable all the same).
+/// Exercise 6.2, second part: true if a warm start together with beta keeps a chain stable
+/// (Eq. 6-9; a hub with three or more joints may be unstable all the same).
 /// \param rho factor by which an iteration multiplies the velocity error, after many [1], 0 to 1
 /// \param iterations per step \param beta fraction of the error fed back per step [1]
 bool warm_start_is_safe(real rho, int iterations, real beta);

@@ -23,7 +23,8 @@ int kind(const Body& body) { return body.is_static() ? int(body.kinematic) : 2; 
 // A number of the type, from its name.
 int kind(const Joint& joint) {
   std::uint32_t sum = 2166136261u;  // FNV-1a
-  for (const char* at = typeid(joint).name(); *at; ++at) sum = (sum ^ std::uint8_t(*at)) * 16777619u;
+  for (const char* at = typeid(joint).name(); *at; ++at)
+    sum = (sum ^ std::uint8_t(*at)) * 16777619u;
   return int(sum >> 1);
 }
 

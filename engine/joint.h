@@ -117,7 +117,7 @@ class Joint {
  private:
   friend class World;
   friend void serialize(Joint& joint, StateStream& stream);
-  bool can_move_ = true;
+  bool can_move_ = true, removed_ = false;
   real h_ = 0, impulse_duration_ = 0;  // of the last step [s]
   std::size_t place_ = 0;     // in World::joints()
   std::uint64_t number_ = 0;  // of all joints that were ever added to a world

@@ -16,27 +16,27 @@ void World::adopt(std::unique_ptr<Joint> joint) {
 
 // The joints are in the order of their numbers.
 Joint* World::find(std::uint64_t number) const {
-  const auto& all = joints();
   const auto at = std::lower_bound(
-      all.begin(), all.end(), number,
+      joints_.begin(), joints_.end(), number,
       [](const auto& joint, std::uint64_t wanted) { return joint->number_ < wanted; });
-  return at != all.end() && (*at)->number_ == number ? at->get() : nullptr;
+  const bool there = at != joints_.end() && (*at)->number_ == number && !(*at)->removed_;
+  return there ? at->get() : nullptr;
 }
 
-// The others keep their order: places are closed for all removed joints together.
+// Removed joints stay in their places until joints() is called again, so that a loop over all of
+// them may remove some. Then all their places are closed together, and the others keep their order.
 void World::remove(const Joint& joint) {
   const std::size_t place = joint.place_;
-  require(place < joints_.size() && joints_[place].get() == &joint, no_such_joint);
-  joints_[place].reset();
-  holes_ = true;
+  require(place < joints_.size() && joints_[place].get() == &joint && !joint.removed_,
+          no_such_joint);
+  joints_[place]->removed_ = holes_ = true;
   blocks.clear();  // some may have been its own
 }
 
 void World::remove(BodyId body) {
   bodies.remove(body);
-  for (auto& joint : joints_)
-    if (joint && (joint->body1 == body || joint->body2 == body)) joint.reset();
-  holes_ = true;
+  for (const auto& joint : joints_)
+    if (joint->body1 == body || joint->body2 == body) joint->removed_ = holes_ = true;
   blocks.clear();
 }
 

@@ -90,7 +90,9 @@ class World {
   /// [1] \throws std::invalid_argument unless it is from 0 to max_beta
   void set_beta(real beta);
 
-  /// The joints in the order in which they were added, which is the order of their blocks.
+  /// The joints in the order in which they were added, which is the order of their blocks. A loop
+  /// over them may remove joints and bodies; those that it has removed stay in this list until the
+  /// next call, but take no part in anything.
   const std::vector<std::unique_ptr<Joint>>& joints() const {
     if (holes_) close_holes();
     return joints_;
@@ -102,12 +104,12 @@ class World {
   void adopt(std::unique_ptr<Joint> joint);
   Joint* find(std::uint64_t number) const;  // nullptr if it is not there
   void close_holes() const {
-    std::erase(joints_, nullptr);
+    std::erase_if(joints_, [](const auto& joint) { return joint->removed_; });
     for (std::size_t k = 0; k < joints_.size(); ++k) joints_[k]->place_ = k;
     holes_ = false;
   }
   mutable std::vector<std::unique_ptr<Joint>> joints_;
-  mutable bool holes_ = false;  // joints were removed, and their places are still empty
+  mutable bool holes_ = false;  // some of them were removed
 };
 
 }  // namespace joints

@@ -228,3 +228,33 @@ TEST_CASE("a copy that is rotated while the rows are made has an orientation of 
     CHECK(inverse_inertia(*body) == rotated_inverse_inertia(*body));
   }
 }
+
+TEST_CASE("a loop over all joints may remove joints and bodies") {
+  World world;
+  const BodyId hub = world.add(box(1, vec3(1), vec3(0)));
+  std::vector<BodyId> arms;
+  for (int k = 0; k < 6; ++k) {
+    arms.push_back(world.add(box(1, vec3(1), vec3(real(k + 1), 0, 0))));
+    world.add<BallJoint>(hub, arms.back(), vec3(real(k), 0, 0));
+    const BodyId other = k == 0 ? world.add(static_body(vec3(0))) : arms[std::size_t(k - 1)];
+    world.add<BallJoint>(other, arms.back(), vec3(0, real(k), 0)).beta = 0;
+  }
+  const JointId<> last(*world.joints().back());
+  int seen = 0;
+  for (const auto& joint : world.joints()) {
+    ++seen;
+    if (joint->body1 == hub) world.remove(*joint);
+    if (joint->body2 == arms[3] && world.bodies.alive(arms[3])) world.remove(arms[3]);
+  }
+  CHECK(seen == 12);
+  CHECK(world.joints().size() == 4);  // without the two of that body
+  CHECK(world.alive(last));
+  CHECK(world[last].number() == last.number);
+  for (const auto& joint : world.joints()) {
+    CHECK(joint->beta == 0);
+    CHECK_FALSE(joint->body2 == arms[3]);
+  }
+  for (const auto& joint : world.joints()) world.remove(*joint);
+  CHECK(world.joints().empty());
+  CHECK_FALSE(world.alive(last));
+}

@@ -2,6 +2,7 @@
 // the turns that a hinge has counted.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "contacts/ground_contact.h"
@@ -16,6 +17,11 @@ namespace joints::testing {
 template <class T>
 std::string bytes_of(const T& object) {
   return {reinterpret_cast<const char*>(&object), sizeof object};
+}
+
+/// Those of a body's numbers: bytes without a meaning follow them.
+inline std::string bytes_of(const Body& body) {
+  return {reinterpret_cast<const char*>(&body), offsetof(Body, kinematic) + sizeof body.kinematic};
 }
 
 /// Those of a joint if it is of one of these kinds, the bytes of a general joint if of none.

@@ -61,7 +61,7 @@ def table(rows):
                 digits(float(row["gap_max_m"]), 1e-3, 3), digits(float(row["energy_drift"]), 1, 2))
     head = "".join(f"<th>{word}</th>" for word in HEADINGS)
     return (f"<details><summary>{len(rows)} scenes and settings in numbers</summary>"
-            f'<div class="table"><table><tr>{head}</tr>' + "".join(
+            f'<div class="table" tabindex="0"><table><tr>{head}</tr>' + "".join(
                 "<tr>" + "".join(f"<td>{cell}</td>" for cell in cells(row)) + "</tr>"
                 for row in rows) + "</table></div></details>")
 

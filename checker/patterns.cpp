@@ -149,7 +149,7 @@ std::string common_pattern(const std::vector<std::string>& entries,
                                   ? names.size() == 1 ? "" : "all of it" : listed(names);
     if (factor == 0)
       words.push_back((which.empty() ? "it" : which) +
-                      (names.size() == 1 || which == "all of it" ? " is" : " are") +
+                      (which.find(" and ") == which.npos ? " is" : " are") +
                       " zero in every case");
     else if (factor == -1) words.push_back("#sign the "
                                            "sign" + (which.empty() ? "" : " of " + which));

@@ -56,7 +56,8 @@ const build = async (chapter, text, {pack, ...more}) =>
 /// The module of a chapter's tests with a file: {wasm} or {printed} by the compiler.
 export const build_tests = (chapter, text) => build(chapter, text, {
   pack: `${chapter.folder}.xz`,
-  link: {first: [`tests_${chapter.folder}`, `where_${chapter.folder}`, "checker", "module"],
+  link: {first: [`tests_${chapter.folder}`, `where_${chapter.folder}`,
+                 `mistakes_${chapter.folder}`, "checker", "module"],
          maybe: ["engine", "given", ...others(chapter)]}});
 
 /// The same with units: its numbers carry kilograms, metres and seconds.

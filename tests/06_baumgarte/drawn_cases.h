@@ -11,7 +11,7 @@ namespace joints::testing {
 
 inline Drawn drawn_bias(Draw& d, bool of_limit) {
   const double C = d.size("|C|", d.any_size(), "m"), h = d.size("h", d.scale(), "s");
-  const double beta = d.pick();
+  const double beta = d.chance("beta is small") ? std::pow(10, -12 * d.pick()) : d.pick();
   d.side("C is negative", C < 0);
   d.size("|C| / h", std::abs(C) / h, "m/s");
   d.size("beta |C| / h", beta * std::abs(C) / h, "m/s");
@@ -30,11 +30,16 @@ inline Drawn drawn_beta(Draw& d) {
 inline Drawn drawn_warm_start(Draw& d) {
   const Draw::Units u = d.units();
   PushCase c{"", {}, {}, d.pair(u)};
-  const vec3 before = d.vector(d.size("|lambda|", u.kg * u.m / u.s, "N s"));
+  const double apart = d.scale(6), size = apart * u.kg * u.m / u.s;
+  vec3 before = d.vector(size);
+  if (d.chance("a component of lambda is 0"))
+    for (int i = 0; i < 3; ++i) before[i] *= real(d.pick() < 0.5);
   d.side("a component of lambda is negative", std::min({before.x, before.y, before.z}) < 0);
   const double ratio = d.size("ratio", d.scale(2), "");
-  const vec3 r1 = d.vector(u.m), r2 = d.vector(u.m);
-  const Jacobian<3> J = point_by_rates(r1, r2);
+  d.size("|lambda|", double(length(before)), "N s");
+  d.size("|ratio lambda|", ratio * double(length(before)), "N s");
+  const std::array<vec3, 2> r = {d.vector(u.m), d.vector(u.m)};
+  const Jacobian<3> J = point_by_rates(r[0], r[1]);
   for (int i = 0; i < 3; ++i) c.J.push_back(J[i]), c.lambda.push_back(real(ratio) * before[i]);
   Pair pair = c.pair;
   vec3 lambda = before;
@@ -42,12 +47,13 @@ inline Drawn drawn_warm_start(Draw& d) {
   Numbers yours = numbers_of(pair), right = pushed(c);
   yours.resize(12), right.resize(12);
   for (int i = 0; i < 3; ++i) {
-    yours.push_back(double(lambda[i]) / (u.kg * u.m));
-    right.push_back(double(c.lambda[std::size_t(i)]) / (u.kg * u.m));
+    yours.push_back(double(lambda[i]) / size);
+    right.push_back(double(c.lambda[std::size_t(i)]) / size);
   }
-  Drawn out = drawn_vectors({"v1", "w1", "v2", "w2", "lambda / (kg m)"}, yours, right,
-                            {u.m / u.s, 1 / u.s, u.m / u.s, 1 / u.s, 1 / u.s});
-  out.sizes = {20 + 20 * ratio};
+  Drawn out = drawn_vectors({"v1", "w1", "v2", "w2", "lambda in its unit"}, yours, right,
+                            {u.m / u.s, 1 / u.s, u.m / u.s, 1 / u.s, 1});
+  out.sizes.assign(12, 20 + 20 * ratio * apart);
+  for (int i = 0; i < 3; ++i) out.sizes.push_back(20 * ratio);
   return out;
 }
 
@@ -81,7 +87,7 @@ inline void append_move(Drawn& out, const std::string& of, const Body& before, c
 /// A point or rope that is torn apart by little or much.
 inline Drawn drawn_projection(Draw& d, bool of_rope) {
   const Draw::Units u = d.units();
-  const double apart = d.size("|C|", u.m * std::pow(10, -5 * d.pick()) / 3, "m");
+  const double apart = d.size("|C|", u.m * std::pow(10, -10 * d.pick()) / 3, "m");
   Pair pair = d.pair(u);
   if (pair.body1.is_static()) pair.body2 = d.body(u);
   const vec3 anchor1 = d.vector(u.m), anchor2 = d.vector(u.m);
@@ -132,21 +138,24 @@ inline Drawn drawn_projection(Draw& d, bool of_rope) {
 /// An iteration of a chain with the reader's own projection.
 inline Drawn drawn_iteration(Draw& d) {
   const int joints = d.count("joints", d.whole(1, 300));
-  const double open = d.chance("a joint is closed already") ? 0.7 : 1;
+  const bool closed = d.chance("joints are closed already");
+  const double decades = d.chance("joints are hardly open") ? 9 : 0;
   Random random = d.many();
+  const auto chance = [&] { return double(random.uniform(0, 1)); };
   Chain chain{{static_body(vec3(0))}, {}};
   for (int k = 1; k <= joints; ++k) {
+    const bool turned = !closed || chance() < 0.5;  // unturned bodies close a joint exactly
     Body body = body_with(1, vec3(real(0.2), real(0.5), real(0.6)), vec3(real(k), 0, 0),
-                          random.turn());
+                          turned ? random.turn() : quat(1, 0, 0, 0));
     chain.joints.push_back(point_at(chain.bodies.back(), body, vec3(real(k) - real(0.5), 0, 0)));
-    if (random.uniform(0, 1) < real(open)) body.x += random.vector(real(0.1));
+    const double gap = 0.1 * std::pow(10, -decades * chance());
+    if (!closed || chance() < 0.5) body.x += random.vector(real(gap));
     chain.bodies.push_back(body);
   }
   Chain yours = chain, right = chain;
   projection_iteration(yours);
-  Body* body = right.bodies.data();
-  for (const Point& joint : right.joints) project(joint, body[0], body[1]), ++body;
-  Drawn out{{}, {}, {}, {1}};
+  project_in_order(right, project);
+  Drawn out{{}, {}, {}, {0.01}};
   for (std::size_t k = 1; k < chain.bodies.size(); ++k)
     append_move(out, "body " + std::to_string(k), chain.bodies[k], yours.bodies[k],
                 right.bodies[k], 1, 1);

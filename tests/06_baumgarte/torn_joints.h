@@ -1,7 +1,8 @@
 // The torn joints of exercise 6.3: points and ropes at every pose, and a chain.
 #pragma once
 
-#include "tests/06_baumgarte/projection_cases.h"
+#include "tests/06_baumgarte/projection_reference.h"
+#include "tests/checker/arguments.h"
 
 namespace joints::testing {
 
@@ -34,6 +35,54 @@ std::vector<ProjectionCase<typename Fixture::Part>> torn_cases(
 inline constexpr Subject point_projection{"6.3", "position projection of a point"};
 inline constexpr Subject rope_projection{"6.3", "position projection of a rope", 2};
 
+template <class Part>
+CaseTable<ProjectionCase<Part>> projection_table(const Subject& subject,
+                                                 std::vector<ProjectionCase<Part>> cases) {
+  using Case = ProjectionCase<Part>;
+  CaseTable<Case> table{subject,
+                        {"move of 1", "rotation of 1", "move of 2", "rotation of 2", "change of v1",
+                         "change of w1", "change of v2", "change of w2", "lengths of q1 and q2"},
+                        {}, {}, {}, std::move(cases)};
+  const auto numbers = [](auto project_one, const Case& c) {
+    Pair after = c.pair;
+    const auto& [one, two] = c.pair;
+    project_one(c.part, after.body1, after.body2);
+    const Moves a = between(c.pair, after);
+    return flat({a.way1, a.turn1, a.way2, a.turn2, after.body1.v - one.v, after.body1.w - one.w,
+                 after.body2.v - two.v, after.body2.w - two.w,
+                 vec3(length(after.body1.q), length(after.body2.q), 0)});
+  };
+  judge<void(const Part&, Body&, Body&)>(table, project, numbers);
+  table.right = [=](const Case& c) {
+    const auto move = [](const Part& part, Body& one, Body& two) {
+      move_by(reference_moves(part, {one, two}), one, two);
+    };
+    return numbers(move, c);
+  };
+  table.tolerance = difference_tolerance;
+  return table;
+}
+
+/// From which error on a rope moves, where that is the only thing that is wrong; "" elsewhere.
+inline std::string threshold_of(const CaseTable<ProjectionCase<Rope<Distance>>>& table) {
+  real moves = -unbounded, rests = unbounded;  // the greatest C that moves, the least that rests
+  for (const auto& c : table.cases) {
+    const real C = c.part.error(c.pair.body1, c.pair.body2);
+    const Numbers yours = table.yours(c), right = table.right(c);
+    const bool at_rest = std::all_of(yours.begin(), yours.begin() + 12,
+                                     [&](double a) { return std::abs(a) < table.tolerance; });
+    if (at_rest) rests = std::min(rests, C);
+    else moves = std::max(moves, C);
+    if (C < 0 && !at_rest && !close(yours, right, table.tolerance)) return "";
+  }
+  if (moves > rests || (moves < 0 && rests > 0) || std::isinf(moves) || std::isinf(rests))
+    return "";
+  return moves < 0 ? "a rope that is hardly too long is left alone: there is no threshold, C < 0 "
+                     "is too long"
+                   : "a rope that is hardly slack is pushed to its length: there is no threshold, "
+                     "C >= 0 is left alone";
+}
+
 inline CaseTable<ProjectionCase<Point>> point_table() {
   const auto tear = [](Point&, Pair& pair, Random& random) {
     pair.body2.x += random.vector(real(0.15));
@@ -56,7 +105,9 @@ inline CaseTable<ProjectionCase<Rope<Distance>>> rope_table() {
   }
   for (auto& c : cases)
     if (c.part.error(c.pair.body1, c.pair.body2) > 0) c.words += ", slack";
-  return projection_table(rope_projection, cases);
+  auto table = projection_table(rope_projection, cases);
+  read_off(table, [=] { return threshold_of(table); });
+  return table;
 }
 
 template <class Part>
@@ -81,174 +132,91 @@ void expect_left_alone(const CaseTable<ProjectionCase<Part>>& table) {
       if (before.is_static())
         expect(table.subject, "q of the static body", body.q, before.q, rounding);
       expect(table.subject, "length of q (" + c.words + ")", double(length(body.q)), 1, rounding,
-             table.explain(double(length(body.q)),
-                           {{double(length(body.q)), no_sum}}));
+             table.explain(double(length(body.q))));
     };
     look(c.pair.body1, after.body1);
     look(c.pair.body2, after.body2);
   }
 }
 
-// ---- the iteration
-// ----------------------------------------------------------------------------------
+// ---- the iteration ------------------------------------------------------------------------------
 
 inline constexpr Subject iteration_subject{"6.3", "an iteration of position projection", 3};
 
-// A chain of five uneven bodies, each turned, each joint torn.
-inline Chain torn_chain() {
+struct ChainCase {
+  std::string words;
+  Chain chain;
+};
+
+/// Five uneven bodies, turned or not. \param gaps by how much each joint is torn
+inline Chain torn_chain(const std::array<double, 4>& gaps, bool turned) {
   Random random(64);
-  Chain chain{{static_body(vec3(0), random.turn())}, {}};
+  const auto turn = [&] { return turned ? random.turn() : quat(1, 0, 0, 0); };
+  Chain chain{{static_body(vec3(0), turn())}, {}};
   for (int k = 1; k < 5; ++k) {
     Pair pair = uneven_pair();
     Body body = k % 2 == 0 ? pair.body1 : pair.body2;
-    body.x = vec3(real(k), 0, 0) + random.vector(real(0.1));
-    body.q = random.turn();
+    body.x = vec3(real(k), 0, 0);
+    body.q = turn();
     body.v = random.vector(1);
     chain.joints.push_back(point_at(chain.bodies.back(), body, vec3(real(k) - real(0.5), 0, 0)));
-    body.x += random.vector(real(0.1));
+    body.x += random.vector(real(gaps[std::size_t(k - 1)]));
     chain.bodies.push_back(body);
   }
   return chain;
 }
 
-using Project = Call<void(const Point&, Body&, Body&)>;
-inline void project_all(Chain& chain, const std::vector<std::size_t>& order,
-                        const Project& project_one) {
-  for (const std::size_t k : order)
-    project_one(chain.joints[k], chain.bodies[k], chain.bodies[k + 1]);
-}
-inline void reference_projection(const Point& point, Body& body1, Body& body2) {
-  move_by(reference_moves(point, {body1, body2}), body1, body2);
-}
-inline void your_projection(const Point& point, Body& body1, Body& body2) {
-  project(point, body1, body2);
+inline void project_in_order(Chain& chain, void (*project_one)(const Point&, Body&, Body&)) {
+  Body* body = chain.bodies.data();
+  for (const Point& joint : chain.joints) project_one(joint, body[0], body[1]), ++body;
 }
 
-// Every joint looks at the poses before the iteration.
-inline void stale_poses(Chain& chain, const Project&) {
-  const Chain before = chain;
-  for (std::size_t k = 0; k < chain.joints.size(); ++k)
-    move_by(reference_moves(before.joints[k], {before.bodies[k], before.bodies[k + 1]}),
-            chain.bodies[k], chain.bodies[k + 1]);
-}
-
-// All errors are taken before the iteration, K and J are fresh.
-inline void stale_errors(Chain& chain, const Project&) {
-  const Chain before = chain;
-  for (std::size_t k = 0; k < chain.joints.size(); ++k) {
-    Body &a = chain.bodies[k], &b = chain.bodies[k + 1];
-    ProjectionReference<Point> reference(chain.joints[k], {a, b});
-    reference.C = to_vector(chain.joints[k].error(before.bodies[k], before.bodies[k + 1]));
-    move_by(reference.moves(), a, b);
-  }
-}
-// One of the two bodies of each joint is a copy.
-inline auto project_copy(int copied) {
-  return [=](Chain& chain, const Project& project_one) {
-    for (std::size_t k = 0; k < chain.joints.size(); ++k) {
-      Body copy = chain.bodies[k + copied];
-      project_one(chain.joints[k], copied == 0 ? copy : chain.bodies[k],
-            copied == 1 ? copy : chain.bodies[k + 1]);
+/// What the known mistakes do is done with your projection.
+inline CaseTable<ChainCase> iteration_table() {
+  using Case = ChainCase;
+  CaseTable<Case> table{iteration_subject, {}, {}, {}, {}, {}};
+  for (int k = 0; k < 5; ++k)
+    for (const char* of : {"x", "rotation", "v"})
+      table.entries.push_back(of + (" of body " + std::to_string(k)));
+  table.cases = {{"every joint torn", torn_chain({0.1, 0.1, 0.1, 0.1}, true)},
+                 {"two closed", torn_chain({0, 0.1, 0, 0.1}, false)},
+                 {"two hardly open", torn_chain({1e-7, 1e-7, 0.1, 0.1}, true)},
+                 {"two slightly open", torn_chain({2e-5, 2e-5, 0.1, 0.1}, true)}};
+  const auto numbers = [](auto iterate, const Case& c) {
+    Chain chain = c.chain;
+    iterate(chain);
+    std::vector<vec3> all;
+    for (std::size_t k = 0; k < chain.bodies.size(); ++k) {
+      const Body &body = chain.bodies[k], &before = c.chain.bodies[k];
+      all.insert(all.end(), {body.x, turn_between(before.q, body.q), body.v});
     }
+    return flat(all);
   };
-}
-// Joint k is given the bodies that stand `by` too far along the chain, where there are such.
-inline auto project_shifted(int by) {
-  return [=](Chain& chain, const Project& project_one) {
-    for (int k = 0; k < int(chain.joints.size()); ++k)
-      if (k + by >= 0 && k + by + 1 < int(chain.bodies.size()))
-        project_one(chain.joints[k], chain.bodies[k + by], chain.bodies[k + by + 1]);
+  judge(table, projection_iteration, numbers);
+  table.right = [=](const Case& c) {
+    const auto move = [](const Point& point, Body& one, Body& two) {
+      move_by(reference_moves(point, {one, two}), one, two);
+    };
+    return numbers([=](Chain& chain) { project_in_order(chain, move); }, c);
   };
-}
-
-inline bool same_chains(const Chain& a, const Chain& b) {
-  for (std::size_t k = 0; k < a.bodies.size(); ++k)
-    if (!(length(a.bodies[k].x - b.bodies[k].x) <= difference_tolerance) ||
-        !(length(turn_between(a.bodies[k].q, b.bodies[k].q)) <= 3 * difference_tolerance) ||
-        a.bodies[k].v != b.bodies[k].v)
-      return false;
-  return true;
-}
-
-// The mistake that gives all the bodies of a chain; "" where there is none. The subject is another
-// one where the iteration is right and its projections are not.
-struct IterationMistake {
-  Subject subject;
-  std::string words;
-};
-inline IterationMistake explain_iteration(const Chain& start, const Chain& yours) {
-  using Iteration = Call<void(Chain&, const Project&)>;
-  const auto order = [](std::vector<std::size_t> joints) {
-    return [=](Chain& chain, const Project& one) { project_all(chain, joints, one); };
+  const auto yours_often = [=](int times) {
+    return [=](const Case& c) {
+      return numbers([=](Chain& chain) {
+        for (int n = 0; n < times; ++n) project_in_order(chain, project);
+      }, c);
+    };
   };
-  const std::pair<Iteration, const char*> iterations[] = {
-      {order({0, 1, 2, 3}),
-       "the iteration is right and its projections are not: look at `project` of a "
-                            "point, the first part of the exercise"},
-      {stale_poses, "#stale-poses the poses are stale: each joint needs the poses after the one "
-                    "before it, else both move their body for the same gap"},
-      {order({3, 2, 1, 0}), "#backwards the iteration runs backwards: from the first joint to "
-                            "the last"},
-      {order({1, 2, 3}), "the first joint is left out: it holds body 0 to body 1"},
-      {order({0, 1, 2}), "the last joint is left out: there is one joint less than bodies"},
-      {order({0}), "only the first joint is projected"},
-      {order({0, 1, 2, 3, 0, 1, 2, 3}), "this is two iterations: every joint is projected once"},
-      {order({0, 1, 2, 3, 3, 2, 1, 0}), "there and back: every joint is projected once"},
-      {order({0, 2}), "#every-second-joint every second joint is left out"},
-      {order({0, 2, 1, 3}),
-       "every second joint, then the others: from the first joint to the last"},
-      {order({}), "#of-copies nothing moves: nothing is done yet, or copies move: take the "
-                  "bodies of the chain by reference, auto& and not auto"},
-      {stale_errors, "#errors-first the errors are computed before the iteration: each joint needs "
-                     "its error at the poses after the one before it"},
-      {project_copy(1), "#copy-one-body body k + 1 is a copy: take it by reference, auto& and "
-                        "not auto"},
-      {project_copy(0), "body k is a copy: take it by reference, auto& and not auto"},
-      {project_shifted(-1), "bodies k - 1 and k: joint k holds body k to body k + 1"},
-      {project_shifted(1), "bodies k + 1 and k + 2: joint k holds body k to body k + 1"},
-      {[](Chain& chain, const Project& project_one) {
-         for (std::size_t k = 0; k < chain.joints.size(); ++k)
-           project_one(chain.joints[k], chain.bodies[k + 1], chain.bodies[k]);
-       }, "#bodies-exchanged the bodies are exchanged: joint k holds body k to body k + 1"},
-      {[](Chain& chain, const Project& project_one) {
-         for (std::size_t k = 0; k < chain.joints.size(); ++k)
-           project_one(chain.joints[k], chain.bodies[0], chain.bodies[k + 1]);
-       }, "every joint holds its body to body 0: joint k holds body k to body k + 1"},
-      {[](Chain& chain, const Project& project_one) {
-         for (const Point& joint : chain.joints)
-           project_one(joint, chain.bodies[0], chain.bodies[1]);
-       }, "every joint is given bodies 0 and 1: joint k holds body k to body k + 1"},
-      {[](Chain& chain, const Project& project_one) {
-         for (std::size_t k = 0; k < chain.joints.size(); ++k)
-           project_one(chain.joints[0], chain.bodies[k], chain.bodies[k + 1]);
-       }, "joint 0 is taken for all of them: joint k holds body k to body k + 1"}};
-  for (const Body& body : yours.bodies)
-    if (!std::isfinite(double(dot(body.x, body.x) + dot(body.q, body.q))))
-      fail(iteration_subject, "The position of a body is not a number.\n\n" +
-                              likely("#body-itself a joint between a body and itself has no K: "
-                                     "joint k holds body k to body k + 1"));
-  for (const bool reference : {true, false})
-    for (const auto& [iteration, words] : iterations) {
-      Chain chain = start;
-      iteration(chain, reference ? reference_projection : your_projection);
-      if (!same_chains(chain, yours)) continue;
-      const bool in_order = &words == &iterations[0].second;
-      return {in_order && !reference ? point_projection : iteration_subject,
-              in_order && reference ? "" : words};
-    }
-  Chain often = start, resting = yours;
-  for (int n = 2; n < 200; ++n) {
-    project_all(often, {0, 1, 2, 3}, your_projection);
-    if (same_chains(often, yours) && n > 2)
-      return {iteration_subject, "this is " + std::to_string(n - 1) +
-                                     " iterations: every joint is projected once"};
-  }
-  for (std::size_t k = 0; k < resting.bodies.size(); ++k) resting.bodies[k].v = start.bodies[k].v;
-  if (!same_chains(resting, yours))
-    return {iteration_subject,
-            "#velocities-to-rest the velocities of the bodies change: an iteration moves and "
-            "turns them"};
-  return {iteration_subject, ""};
+  table.mistakes.insert(table.mistakes.begin(),
+                        {"the iteration is right and its projections are not: look at `project` of "
+                         "a point, the first part of the exercise", yours_often(1)});
+  table.tolerance = difference_tolerance;
+  read_off(table, [=, yours = table.yours, tolerance = table.tolerance, c = table.cases[0]] {
+    for (int n = 3; n < 200; ++n)
+      if (same_numbers(yours(c), yours_often(n)(c), tolerance))
+        return "this is " + std::to_string(n) + " iterations: every joint is projected once";
+    return std::string();
+  });
+  return table;
 }
 
 }  // namespace joints::testing

@@ -150,6 +150,9 @@ std::vector<std::string> likely_mistakes(const CaseNumbers& all, const Columns& 
     if (!words.empty()) return {words};
   if (all.pairs)
     if (const auto words = named(all, all.pairs(), every); !words.empty()) return words;
+  // A known mistake in some of the numbers is seldom meant where a pattern explains all of them.
+  if (all.judged)
+    if (const std::string words = pattern(false); !words.empty()) return {words};
   for (const Columns& columns : {wrong, own}) {
     if (all.whole || columns.empty() || columns.size() == n) continue;
     std::vector<std::string> names, found = named(all, all.mistakes, columns);

@@ -8,6 +8,7 @@
 #include "checker/patterns.h"
 #include "tests/checker/call.h"
 #include "tests/checker/check.h"
+#include "tests/checker/known.h"
 
 namespace joints::testing {
 
@@ -27,6 +28,7 @@ struct CaseNumbers {
   Call<std::vector<Asked>()> pairs;  ///< asked where none of those fits
   double tolerance;
   bool whole;  ///< names only what explains all numbers
+  bool judged = false;  ///< the mistakes are the known ones
 };
 /// The mistakes that give your numbers in all cases; or else what is seen in the numbers
 /// themselves; or else (unless `whole`) what explains the entries that are wrong, or the own ones.
@@ -51,6 +53,7 @@ struct CaseTable {
   /// With `whole`: what the numbers are called where each case has names of its own. Cases of
   /// different lengths are filled up with zeros.
   Call<std::vector<std::string>(const Case&)> entries_of = {};
+  bool judged = false;  ///< the mistakes are the known ones, see judge()
 
   /// Every case. Fails with a report at the first one that is wrong.
   void check() const {
@@ -125,7 +128,7 @@ struct CaseTable {
         out.push_back({words, [&more, answer = answer](std::size_t c) { return answer(more[c]); }});
       return out;
     };
-    CaseNumbers all{names(), {}, asked(mistakes), {}, tolerance, whole};
+    CaseNumbers all{names(), {}, asked(mistakes), {}, tolerance, whole, judged};
     if (pairs) all.pairs = [&] { return asked(pairs()); };
     for (const Case& c : more) all.cases.push_back({yours(c), right(c)});
     return likely_mistakes(all, own);
@@ -165,6 +168,18 @@ struct CaseTable {
     return first;
   }
 };
+
+/// Judges a function of the reader's: gives a table what is yours, and the known mistakes of the
+/// subject's region. \param numbers (function, case) that a function gives in a case
+template <class Function, class Case, class Measure>
+void judge(CaseTable<Case>& table, Function* yours, const Measure& numbers) {
+  table.yours = [=](const Case& c) { return numbers(yours, c); };
+  table.judged = true;
+  for (const auto& [words, wrong] :
+       known_mistakes<Function>(table.subject.id, table.subject.region))
+    table.mistakes.push_back(
+        {words, [=, wrong = wrong](const Case& c) { return numbers(wrong, c); }});
+}
 
 /// The same number as a word of a report.
 inline std::string short_number(double number) {

@@ -43,7 +43,8 @@ def chosen():
 
 
 def objects_of(chapter):
-    return f"tests_{chapter.folder}", f"where_{chapter.folder}", "checker", "module"
+    return (f"tests_{chapter.folder}", f"where_{chapter.folder}", f"mistakes_{chapter.folder}",
+            "checker", "module")
 
 
 def module(chapter):

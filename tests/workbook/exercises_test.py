@@ -76,7 +76,7 @@ def every_exercise_has_wrong_answers(root, build):
         yield from differ(f"tests/{chapter.folder}/answers", [path.stem for path in paths],
                           chapter.ids())
         count = Counter(one.id for one in answers.read_all(paths, read(chapter.solution))
-                        if one.kind == "wrong")
+                        if one.kind in ("mistake", "wrong"))
         yield from (f"{id_} has {count[id_]} wrong answers: at least two are wanted"
                     for id_ in chapter.ids() if count[id_] < 2)
 

@@ -6,11 +6,17 @@
       the lines
     // right added in place: h * ==> h +=
     // wrong units "h is missing": h * ==>       as one whose numbers carry units
+    // mistake "the sign of gravity": v += ==> v -=
 
-A wrong answer names what it must be told: a diagnosis by its id, "#sign-of-gravity the sign of
-gravity" in the tables of mistakes, `a + b` where it is told two; or "words of the report", where
-these are put together. It is looked for in the report that a reader sees first. Poses may follow:
-sign (turned, moved). Below a heading:
+A mistake is a wrong answer that a check knows: it is compiled as a function of its own, a check
+runs it on its cases, and where it gives a reader's numbers its sentence stands in the report
+(tests/checker/known.h). Of mistakes with the same numbers the first is told. The sentence may be
+continued on lines like those of a change.
+
+Other wrong answers name what they must be told: a diagnosis by its id, "#sign-of-gravity the sign
+of gravity" in the checker, `a + b` where it is told two; or "words of the report", where these are
+put together. So do those that crash or do not end. It is looked for in the report that a reader
+sees first. Poses may follow: sign (turned, moved). Below a heading:
 
     // tests: 1.5                                those of 1.5 judge it; its own find it right
     // expects: words                            which some report of it has, too
@@ -32,7 +38,8 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).absolute().parents[1]))
 from base import exercises  # noqa: E402
 
-HEADING = re.compile(r'// (wrong units|wrong|right) ("[^"]+"|[^":]+):(?: +(\S.*))?$')
+HEADING = re.compile(r'// (wrong units|wrong|right|mistake) ("[^"]+"|[^":]+):(?: +(\S.*))?$')
+OPEN = re.compile(r'// (mistake|wrong) "[^"]*$')  # a sentence that goes on below
 NAMED = re.compile(r"([a-z0-9-]+(?: \+ [a-z0-9-]+)*)(?: \((.+)\))?$")  # a diagnosis, by its ids
 MORE = re.compile(r"// {7,}(\S.*)$")  # of changes that take more than a line
 DIAGNOSIS = re.compile(r"#([a-z0-9-]+) +(\S.*)", re.S)  # a text of a table of mistakes
@@ -89,7 +96,7 @@ def read(path, regions):
     """The answers of one file, each with its faults. `regions`: the solution's lines in each of
     those that its exercise has."""
     found, region, base = [], 1, ""
-    for number, line in enumerate(path.read_text().rstrip("\n").split("\n"), 1):
+    for number, line in headed(path.read_text().rstrip("\n").split("\n")):
         answer = found[-1] if found else None
         if match := HEADING.match(line):
             answer = Answer(path.stem, match[1], match[2], path, number, region, base)
@@ -127,6 +134,17 @@ def read(path, regions):
     return found
 
 
+def headed(lines):
+    """The lines with their numbers; a heading's sentence on one line."""
+    whole = []
+    for number, line in enumerate(lines, 1):
+        if whole and OPEN.match(whole[-1][1]) and (match := MORE.match(line)):
+            whole[-1] = (whole[-1][0], f"{whole[-1][1]} {match[1]}")
+        else:
+            whole.append((number, line))
+    return whole
+
+
 def change(answer, regions, found):
     """Makes the body of an answer that changes the solution, or a right answer found above it."""
     while answer.body and not answer.body[-1].strip():
@@ -157,6 +175,8 @@ def faults_of(answer, regions):
         answer.faults.append((answer.line, "the answer is empty"))
     if answer.kind != "right" and answer.told[0] != '"' and not answer.ids():
         answer.faults.append((answer.line, f"'{answer.told}' is neither an id nor words in quotes"))
+    if answer.kind == "mistake" and answer.tests:
+        answer.faults.append((answer.line, "a mistake is found by the tests of its own exercise"))
     if answer.kind == "right" and answer.promises:
         answer.faults.append((answer.promises[0][0], "a right answer expects no report"))
     if not 1 <= answer.region <= regions:
@@ -245,6 +265,40 @@ def make(solution, files, units, out, root):
     exercises.write_if_new(out, "\n".join(head) + "\n" + exercises.replace(text, branches))
 
 
+# ---- the source of the mistakes that a check knows -----------------------------------------------
+
+def around(lines, region):
+    """The lines of the function around a region, before and behind it."""
+    begin = max(k for k in range(region.begin) if re.match(r"\w", lines[k]))
+    begin -= lines[begin - 1].startswith("template")
+    end = lines.index("}", region.end)
+    return lines[begin:region.begin - 1], lines[region.end + 1:end + 1]
+
+
+def make_mistakes(solution, files, out, root, refused):
+    """Writes one source of all mistakes of these files, each a function in a namespace of its own;
+    what it calls is the reader's."""
+    text = Path(solution).read_text()
+    lines, shown = text.split("\n"), Path(solution).relative_to(root)
+    regions, made, table = {}, [], []
+    for region in exercises.regions(text):
+        regions.setdefault(region.id, []).append(region)
+    for k, one in enumerate((a for a in read_all(files, text) if a.kind == "mistake"
+                             and not a.faults and a.key() not in refused), 1):
+        before, behind = around(lines, regions[one.id][one.region - 1])
+        name = re.search(r"(\w+)\(", " ".join(before))[1]
+        made += [f"namespace mistake_{k} {{", f'#line 1 "{root}/{shown}"', *before, *one.placed(),
+                 f'#line 1 "{root}/{shown}"', *behind, "}"]
+        words = json.dumps(one.told.strip('"'), ensure_ascii=False)
+        table.append(f'  {{"{one.id}", {one.region}, {words}, &joints::mistake_{k}::{name}}},')
+    head = ["// Made by tools/check/answers.py."]
+    if made:
+        includes = re.findall(r"^#.*", text.partition("namespace joints")[0], re.M)
+        head += ['#include "tests/checker/known.h"', *includes, "namespace joints {", *made, "}",
+                 "static const joints::testing::Known known[] = {", *table, "};"]
+    exercises.write_if_new(out, "\n".join(head) + "\n")
+
+
 def refused_of(out):
     """{key: (line, what the compiler said)} of the answers that an earlier build refused."""
     path = Path(f"{out}.refused.json")
@@ -276,13 +330,18 @@ def error_at(block, file, number):
 
 
 def main(arguments):
-    """answers.py numbers|units ROOT SOLUTION OUT ANSWERS..."""
-    if len(arguments) < 4 or arguments[0] not in ("numbers", "units"):
+    """answers.py numbers|units|mistakes ROOT SOLUTION OUT ANSWERS..."""
+    if len(arguments) < 4 or arguments[0] not in ("numbers", "units", "mistakes"):
         print(main.__doc__, file=sys.stderr)
         return 2
     kind, root, solution, out, *files = arguments
+    paths = [Path(f) for f in files]
     try:
-        make(Path(solution), [Path(f) for f in files], kind == "units", Path(out), Path(root))
+        if kind == "mistakes":
+            make_mistakes(Path(solution), paths, Path(out), Path(root),
+                          refused_of(out.replace("_mistakes.cpp", "_numbers.cpp")))
+        else:
+            make(Path(solution), paths, kind == "units", Path(out), Path(root))
     except (exercises.Broken, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 2

@@ -64,7 +64,7 @@ def broken_promises(answer, reports):
         poses = answers.NAMED.match(answer.told)[2]
         told = told and (not poses or f"({fold(poses)})" in flat[0].partition("#")[2])
     else:
-        words = fold(answer.told.strip('"'))
+        words = fold(answer.told.strip('"')) + " Where:" * (answer.kind == "mistake")
         told = f"Likely mistake: {words}" in answers.without_ids(flat[0]) or \
             "Likely mistake: " not in flat[0] and words in flat[0]
     if answer.told and not told:

@@ -134,7 +134,8 @@ def summary(report):
                  if key[1] == topic and key[0] != "answers"]
         print(f"  {topic:15} {', '.join(parts)}")
     lines = [("known answers", words, total(report, "answers", kind)) for kind, words in
-             (("wrong", "wrong answers, each found out in the promised words"),
+             (("mistake", "mistakes that a check knows, each told by its sentence"),
+              ("wrong", "other wrong answers, each found out in the promised words"),
               ("wrong units", "wrong units found out"), ("right", "unusual right answers accepted"),
               ("stub", "unwritten exercises called so"))]
     for what in ("Jacobians", "effective masses"):

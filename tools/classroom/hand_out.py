@@ -1,9 +1,11 @@
-"""./wb hand-out: an edition for students, without solutions and known answers.
+"""./wb hand-out: an edition for students, without solutions and known answers. The mistakes that
+the checks know are in it as objects, for the kind of machine on which it is made.
 
 A stub stands in the place of every solution; what the solution's program has recorded lies beside
 it, for the figures. A chapter that is over is completed with its folder of solutions/.
 """
 import os
+import platform
 import re
 import shutil
 import subprocess
@@ -48,6 +50,18 @@ def linked(text, place, there):
     return re.sub(r"(?<!!)\[([^\]]+)\]\(([\w.-]*[./][\w./-]*)[^)\s]*\)", kept, text)
 
 
+def copy_mistakes(folder):
+    """The objects of the mistakes that the checks know, see tests/CMakeLists.txt."""
+    chapters = house.chapters()
+    house.must_build([f"{chapter.folder}_mistakes" for chapter in chapters])
+    place = folder / "solutions" / "mistakes"
+    place.mkdir(parents=True, exist_ok=True)
+    machine = f"{platform.system()}.{platform.machine()}"
+    for chapter in chapters:
+        made = house.BUILD / "tests" / "CMakeFiles" / f"{chapter.folder}_mistakes.dir"
+        shutil.copy(next(made.rglob("*.o")), place / f"{chapter.folder}.{machine}.o")
+
+
 def hand_out(folder):
     if folder.exists():
         raise house.Trouble(f"hand-out: {folder} is there already; name a new folder")
@@ -73,6 +87,7 @@ def hand_out(folder):
                         "Your teacher hands out the answers when the chapter is over.\n")
         run = folder / house.short(show.recorded(chapter))
         shutil.copytree(show.SOLUTIONS / chapter.folder, run)
+    copy_mistakes(folder)
     if lacking := live.missing():
         print(folded(f"without ./wb live, which needs {' '.join(lacking)} here when it is handed "
                      "out"))

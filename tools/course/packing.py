@@ -53,7 +53,7 @@ def write_packs(folder):
     parts.pack(folder / "live.xz", parts.live_objects())
     for chapter in house.chapters():
         parts.pack(folder / f"{chapter.folder}.xz", parts.objects(
-            f"tests_{chapter.folder}", f"where_{chapter.folder}"))
+            *(f"{kind}_{chapter.folder}" for kind in ("tests", "where", "mistakes"))))
 
 
 # ---- the pages -----------------------------------------------------------------------------------

@@ -14,6 +14,7 @@ import tempfile
 from pathlib import Path
 
 from base import exercises, house
+from check import answers, judging
 from website import live
 
 HERE = house.ROOT / "docs" / "course"
@@ -111,9 +112,18 @@ def sources():
         found |= {f"tests_{name}": ([tests / name / "test.cpp"], ""),
                   f"where_{name}": ([tests / "checker" / "where.cpp"],
                                     rf'-DEXERCISE_FILE=\"{house.short(chapter.mine)}\"'),
+                  f"mistakes_{name}": ([mistakes_of(chapter)], "-O0"),
                   f"units_{name}": ([tests / name / "units.cpp"], UNITS),
                   f"units_of_{name}": ([chapter.solution], UNITS)}
     return found
+
+
+def mistakes_of(chapter):
+    """The source of the mistakes that its checks know."""
+    source = judging.source_of(chapter, "mistakes")
+    answers.main(["mistakes", str(house.ROOT), str(chapter.solution), str(source),
+                  *map(str, answers.files_of(chapter.folder, house.ROOT))])
+    return source
 
 
 def build_objects(names=()):

@@ -28,15 +28,14 @@ class Joint {
   /// Fraction of the error that is removed in a step [1] (chapter 6), from 0 to max_beta.
   real beta = real(0.2);
   /// Above 0: a spring of this natural frequency [Hz] replaces beta in every row of the joint that
-  /// holds a position, including limits; position projection then leaves the joint out.
+  /// holds a position, also in limits; position projection then leaves the joint out. 0: hard rows,
+  /// unless StepOptions::frequency makes them soft. Finite and not negative, like damping.
   real frequency = 0;
   real damping = 1;       ///< damping ratio of that spring [1]; 1 is critical
   bool projected = true;  ///< position projection corrects this joint (StepOptions::projections)
 
   /// Of two bodies. \throws std::invalid_argument for a joint of a body with itself
-  Joint(BodyId body1, BodyId body2) : body1(body1), body2(body2) {
-    require_two();
-  }
+  Joint(BodyId body1, BodyId body2) : body1(body1), body2(body2) { require_two(); }
   virtual ~Joint() = default;
 
   /// Validates all members that may have been changed since the last step, before every step, so it

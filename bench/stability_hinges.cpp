@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "bench/suite.h"
+#include "joints/part_joint.h"
 
 namespace joints::bench {
 

@@ -3,11 +3,6 @@
 
 namespace joints {
 
-RowSettings without_feedback(RowSettings target) {
-  target.beta = target.frequency = 0;
-  return target;
-}
-
 void Blocks::truncate(int count) {
   if (count == 0) after_move = nullptr;
   if (count >= int(list.size())) return;

@@ -18,8 +18,7 @@ class Solver;
 class World;
 
 /// Feedback, target rate and bounds of a block's rows. Beta, frequency and damping apply to all
-/// rows; the rate and the bounds apply to the last one.
-/// An aggregate: set only the members that you need, as in
+/// rows, the others to the last one. Set only those that you need, as in
 /// `RowSettings{.beta = real(0.2), .lower = 0}`.
 struct RowSettings {
   real beta = 0;       ///< fraction of the error C that is removed in one step [1]
@@ -27,9 +26,9 @@ struct RowSettings {
   real damping = 1;    ///< damping ratio of that spring [1]
   real rate = 0;       ///< target rate of the last row [unit of C per s]: the speed of a motor
   bool holds_position = true;  ///< true: C is an error to be removed; false: only a rate is given
-  /// If not 0: this block of one row has the bounds -+upper times the impulse `follows`
-  /// places behind its own (Block::impulse), which is that of a one-sided row; `upper` is then a
-  /// factor [1], and `lower` is ignored. The rows are as many places apart in Blocks.
+  /// If not 0: the impulse of this block of one row is limited to -+upper times the impulse
+  /// `follows` places later, in Block::impulse as in Blocks, which is that of a one-sided row.
+  /// `upper` is then a factor [1], and `lower` is ignored.
   int follows = 0;
   real lower = -unbounded;  ///< least force of the last row [N or N m]; 0 for C >= 0
   real upper = unbounded;   ///< greatest force of the last row [N or N m]
@@ -42,12 +41,10 @@ struct RowSettings {
 };
 /// Its name before version 0.10.
 using RowTarget [[deprecated("write RowSettings")]] = RowSettings;
-/// The same target without feedback: hard rows with the same bounds and target rate.
-RowSettings without_feedback(RowSettings target);
 
-/// A RowSettings for a step of a given length: bounds of impulses, and the coefficients of soft
-/// constraints. Iterative solvers add
-/// dlambda = -mass_scale K^-1 (J V + bias) - impulse_scale lambda to the accumulated impulses.
+/// RowSettings converted for a step of a given length: bounds as impulses, and the coefficients in
+/// dlambda = -mass_scale K^-1 (J V + bias) - impulse_scale lambda, which iterative solvers add to
+/// the accumulated impulses.
 struct SoftCoefficients {
   real rate;           ///< factor of C in the bias [1/s]: beta/h for hard rows
   real softness;       ///< J V + bias + softness K lambda = 0 is solved [1]; 0 for hard rows
@@ -75,7 +72,6 @@ inline SoftCoefficients soft_coefficients(const RowSettings& target, real h, rea
 }
 
 /// The header of a block. Its rows and errors are in the flat arrays of Blocks, from `first` on.
-/// Target rate and bounds belong to the last row; the other rows are equalities.
 struct Block {
   int body1 = 0, body2 = 0;         ///< slots of the two bodies
   int first = 0;                    ///< where its rows begin in Blocks::J and Blocks::C
@@ -92,7 +88,6 @@ struct Block {
 inline real corrected(const RowSettings& target, real C, real rate) {
   return std::max(std::min(C + target.slop, real(0)), -target.push / rate);
 }
-
 /// The bias of row `i` of a block, minus the required J V, from its error C.
 /// \param rate SoftCoefficients::rate [1/s] \param h step [s]
 inline real bias(const Block& block, int i, real C, real rate, real h) {
@@ -107,32 +102,28 @@ inline real bias(const Block& block, int i, real C, real rate, real h) {
 class Blocks {
  public:
   std::vector<Block> list;  ///< the headers, in the order in which they are solved
-  /// The errors of all blocks, one per row [m, rad, or 1 for a small sine]; 0 in a block that holds
-  /// no position.
+  /// The error of each row [m, rad, or 1 for a small sine]; 0 in a block that holds no position.
   std::vector<real> C;
-  std::vector<Row> J;   ///< their rows first; what follows is of former steps
-  /// Called at the end of the step, once the bodies have moved; null for nothing. A joint that
-  /// appends blocks may set it.
+  std::vector<Row> J;  ///< the rows in use; what follows them is of former steps
+  /// Called once the bodies have moved; null for nothing. A joint that appends blocks may set it.
   void (*after_move)(World& world, Solver& solver, real h) = nullptr;
   bool errors_only = false;  ///< append only C and no rows of J: for the errors at other poses
   real last_impulse_duration = 0;  ///< that of the last step [s]; 0 before the first
-  /// The duration of this step's impulses [s]: h, or the mean of the last h and this one with
-  /// leapfrog. An impulse is a force times this.
+  /// The duration of this step's impulses [s], by which a force is multiplied: h, or with leapfrog
+  /// the mean of the last h and this one.
   real impulse_duration = 0;
-  /// What a solver keeps for the next step beside the impulses, in an order of its own. It is part
-  /// of a world's state.
+  /// Warm-start data of a solver in addition to the impulses; part of a world's state.
   mutable std::vector<real> memory;
 
-  /// That duration, or h if it has not been set, as in a step written by hand. \param h step [s]
+  /// impulse_duration, or h if it has not been set, as in a step written by hand. \param h step [s]
   real duration_or(real h) const { return impulse_duration > 0 ? impulse_duration : h; }
   int rows() const { return int(C.size()); }  ///< of all blocks
   void clear() { truncate(0); }  ///< removes all blocks, keeps the memory
   void truncate(int count);      ///< removes all blocks but the first `count`
   void shrink_to_fit();          ///< gives back the memory that the present blocks do not need
 
-  /// Appends the rows of a part between two bodies at their present poses. Between two static
-  /// bodies it appends nothing and sets the impulses to zero.
-  /// \param part any type with error() and jacobian() of two bodies
+  /// Appends the rows of a part (part.h) between two bodies at their present poses. Between two
+  /// static bodies it appends nothing and sets the impulses to zero.
   /// \param impulse the accumulated impulses, one per row; the joint owns them
   template <class Part>
   void append(const Bodies& bodies, BodyId id1, BodyId id2, const Part& part,
@@ -143,7 +134,7 @@ class Blocks {
     if (!errors_only) write_jacobian(part, body1, body2, J.data() + list.back().first);
   }
 
-  /// The same from given J and C. \param form the form of the rows
+  /// The same from given J and C.
   template <int N>
   void append(const Bodies& bodies, BodyId id1, BodyId id2, const Jacobian<N>& rows_J,
               const std::type_identity_t<Vector<N>>& rows_C, const RowSettings& target,
@@ -156,7 +147,7 @@ class Blocks {
   }
 
  private:
-  // Adds a header and makes room for its rows. Returns false between two static bodies.
+  // Adds a header and makes room for its rows; false between two static bodies.
   bool add(const Bodies& bodies, BodyId id1, BodyId id2, short rows, Form form,
            const RowSettings& target, real* impulse);
   void extend_J();  // to the rows of all blocks

@@ -19,8 +19,6 @@ bool are_moments(const vec3& moments) {
 
 }  // namespace
 
-void number_of_the_library(real) {}
-
 void check(const Body& body) {
   require_finite("x", body.x);
   require_unit("q", body.q);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/require.h"
+#include "engine/real.h"
 
 /// \defgroup bodies Bodies
 /// \brief State, mass and free motion of rigid bodies, and the array that holds them.

@@ -12,44 +12,39 @@ namespace joints {
 
 class StateStream;  // engine/kept
 
-/// The largest Joint::beta [1]. Above 2 every error grows, which may be tried on purpose; a beta
-/// above this limit is rejected as a mistake.
+/// The largest Joint::beta [1]. Above 2 every error grows, which may be tried on purpose.
 constexpr real max_beta = 10;
 /// Validates a beta. \throws std::invalid_argument unless beta is from 0 to max_beta
 inline void check_beta(real beta) {
   require(beta >= 0 && beta <= max_beta, "beta", beta, "must be between 0 and 10 [1]");
 }
 
-/// The base class of all joints. In each step append() is called once for the solver, and once in
-/// each iteration of position projection. The solver's inner loop never calls a joint. With
-/// StepOptions::substeps, "step" means substep here, and values of the last step are those of the
-/// last substep. A new kind of joint is one new class in one new file; nothing else changes.
+/// The base class of all joints. A step calls begin_step(), append() and, after each solve,
+/// activate_missed_limits(); the solver's inner loop never calls a joint. With substeps, "step"
+/// means substep. A new kind of joint is one new class in one new file; nothing else changes.
 class Joint {
  public:
   BodyId body1, body2;    ///< the two bodies that it connects
   /// Fraction of the error that is removed in a step [1] (chapter 6), from 0 to max_beta.
   real beta = real(0.2);
   /// Above 0: a spring of this natural frequency [Hz] replaces beta in every row of the joint that
-  /// holds a position, including limits, but not in the row of a motor. 0: the rows are hard,
-  /// unless StepOptions::frequency makes them soft. Must be finite and not negative, like damping.
-  /// Position projection does not correct a soft joint.
+  /// holds a position, also in limits; position projection then leaves the joint out. 0: hard rows,
+  /// unless StepOptions::frequency makes them soft. Finite and not negative, like damping.
   real frequency = 0;
   real damping = 1;       ///< damping ratio of that spring [1]; 1 is critical
   bool projected = true;  ///< position projection corrects this joint (StepOptions::projections)
 
   /// Of two bodies. \throws std::invalid_argument for a joint of a body with itself
-  Joint(BodyId body1, BodyId body2) : body1(body1), body2(body2) {
-    require(!(body1 == body2), "body2: a joint needs two different bodies");
-  }
+  Joint(BodyId body1, BodyId body2) : body1(body1), body2(body2) { require_two(); }
   virtual ~Joint() = default;
 
-  /// Validates all members that may have been changed since the last step. It is called at the
-  /// start of every step, before anything changes, so it has to be fast. An override must call this
-  /// one first. \throws std::invalid_argument, with member and value, for an invalid one
+  /// Validates all members that may have been changed since the last step, before every step, so it
+  /// has to be fast. An override must call this one first.
+  /// \throws std::invalid_argument, with member and value, for an invalid one
   virtual void check_input(const Bodies& bodies) const {
     require(bodies.alive(body1), "body1: this id names no body of this world (removed?)");
     require(bodies.alive(body2), "body2: this id names no body of this world (removed?)");
-    require(!(body1 == body2), "body2: a joint needs two different bodies");
+    require_two();
     check_beta(beta);
     require(frequency >= 0 && frequency < unbounded, "frequency", frequency,
             "must be finite and not negative [Hz]");
@@ -67,46 +62,42 @@ class Joint {
   }
   /// True if at least one of its bodies was not static when the last step began.
   bool can_move() const { return can_move_; }
-  /// Appends the live blocks at the bodies' present poses. It does not change the state of the
-  /// joint, so it may be called again at other poses.
+  /// Appends the live blocks at the bodies' present poses. It may be called again at other poses.
   virtual void append(const Bodies& bodies, Blocks& blocks) const = 0;
-  /// Called before append() whenever position projection may have moved the bodies. A joint that
+  /// Called before append() whenever position projection may have moved the bodies: a joint that
   /// counts turns measures its angle again.
   virtual void after_projection(const Bodies&) {}
   /// Called after each solve if a body can move: appends limits that the new velocities would
-  /// overshoot within this step, each at most once, with impulses of zero. The step solves again
-  /// until no joint appends a block. \param h step [s]
+  /// overshoot within this step, each at most once, with impulses of zero. \param h step [s]
   virtual void activate_missed_limits(const Bodies&, [[maybe_unused]] real h, Blocks&) {}
   /// The limits and motors of the joint, for reports.
   struct Stats {
-    int limits = 0;       ///< 1 if its coordinate has limits, live or not
-    int live_limits = 0;  ///< 1 if one of them has a row in this step
-    int motors = 0;       ///< 1 if a motor runs
-    bool bounded = false;  ///< true if other rows have bounds, as in a rope or a limit
+    int limits = 0;        ///< coordinates that have limits, live or not
+    int live_limits = 0;   ///< those with a limit that has a row in this step
+    int motors = 0;        ///< coordinates with a motor that runs
+    bool bounded = false;  ///< true if other rows have bounds, as in a rope
   };
   virtual Stats stats() const { return {}; }  ///< none by default
-  /// True for joints that come and go while the world is stepped: a State does not contain them,
-  /// and restore() neither adds nor removes nor changes any.
+  /// True for joints that come and go while the world is stepped: a State does not contain them.
   virtual bool transient() const { return false; }
-  /// The mean force of a row over the time for which its impulse acted [N or N m]; 0 before the
-  /// first step. \param impulse its accumulated impulse [N s or N m s]
+  /// The mean force of a row in the last step [N or N m]; 0 before the first step.
+  /// \param impulse its accumulated impulse [N s or N m s]
   real mean_force(real impulse) const {
     return impulse_duration_ > 0 ? impulse / impulse_duration_ : real(0);
   }
   std::uint64_t number() const { return number_; }  ///< see JointId; 0 outside of a world
   real last_h() const { return h_; }  ///< length of the last step [s], 0 before the first
-  /// The duration of the impulses of the last step, Blocks::impulse_duration [s]; 0 before the
-  /// first.
+  /// Blocks::impulse_duration of the last step [s]; 0 before the first.
   real impulse_duration() const { return impulse_duration_; }
 
  protected:
-  /// The joint's own part of begin_step(). It may change the joint: count turns, choose the live
-  /// rows, set the impulse of a row to zero that is no longer live. \param h step [s]
+  /// The joint's own part of begin_step(): counts turns, chooses the live rows, sets the impulse of
+  /// a row to zero that is no longer live. \param h step [s]
   virtual void update_active_rows(const Bodies&, [[maybe_unused]] real h) {}
   /// Called instead of update_active_rows() if both bodies are static. Then no row is live.
   virtual void deactivate() {}
-  /// For save() and restore() of engine/kept: lists every variable that a later step may read, such
-  /// as accumulated impulses, always the same number of them in the same order.
+  /// For engine/kept: lists every variable that a later step may read, such as accumulated
+  /// impulses, always the same number of them in the same order.
   virtual void serialize(StateStream&) {}
   /// The target of a block that holds a position: hard with beta, or soft with frequency and
   /// damping. \param lower 0 if the last row enforces C >= 0
@@ -118,6 +109,9 @@ class Joint {
   friend class World;
   friend void serialize(Joint& joint, StateStream& stream);
   bool can_move_ = true, removed_ = false;
+  void require_two() const {
+    require(!(body1 == body2), "body2: a joint needs two different bodies");
+  }
   real h_ = 0, impulse_duration_ = 0;  // of the last step [s]
   std::size_t place_ = 0;     // in World::joints()
   std::uint64_t number_ = 0;  // of all joints that were ever added to a world

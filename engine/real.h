@@ -1,9 +1,10 @@
-// The scalar type, and GLM's small vectors made of it.
+// The scalar type, GLM's small vectors made of it, and the rejection of invalid ones.
 #pragma once
 
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <string>
 
 #ifndef JOINTS_REAL
 #define JOINTS_REAL double
@@ -22,14 +23,14 @@
 #include <glm/gtc/quaternion.hpp>
 
 /// \defgroup numbers Numbers and vectors
-/// \brief The scalar type of the whole workbook, and GLM's small vectors made of it.
+/// \brief The scalar type, GLM's small vectors made of it, and the rejection of invalid ones.
 /// @{
 
 /// The namespace of engine and chapters.
 namespace joints {
 
-/// The scalar type of the whole workbook. Every target is built twice: with `JOINTS_REAL=double`
-/// and, under a name that ends in `_float`, with `JOINTS_REAL=float`.
+/// The scalar type of the whole workbook. Every target is built with `JOINTS_REAL=double` and,
+/// under a name that ends in `_float`, with `JOINTS_REAL=float`.
 using real = JOINTS_REAL;
 
 using vec3 = glm::vec<3, real, glm::defaultp>;     ///< a column of three numbers
@@ -68,6 +69,39 @@ inline real sum(const quat& q) { return q.w + q.x + q.y + q.z; }
 /// displaces a point 10 m away by at most 20 micrometres.
 template <class Vector>
 bool is_unit(const Vector& a) { return std::abs(dot(a, a) - 1) < real(2e-6); }
+
+// ---- the rejection of invalid input -------------------------------------------------------------
+
+/// Rejects invalid input. Every std::invalid_argument of the engine and the joints is thrown here.
+/// \param what one sentence with the argument and the condition that it must satisfy
+/// \throws std::invalid_argument always
+[[noreturn]] void refuse(const std::string& what);
+
+/// Rejects a value, as in "beta is -1; must be between 0 and 10 [1]". \param what its name
+/// \param must the condition that it must satisfy, in words \throws std::invalid_argument always
+[[noreturn]] void refuse(const char* what, real value, const char* must);
+[[noreturn]] void refuse(const char* what, const vec3& value, const char* must);  ///< (x, y, z)
+[[noreturn]] void refuse(const char* what, const quat& value, const char* must);  ///< (w, x, y, z)
+
+/// Calls refuse() unless `good`.
+inline void require(bool good, const char* what) {
+  if (!good) refuse(what);
+}
+/// The same with a value.
+template <class Value>
+void require(bool good, const char* what, const Value& value, const char* must) {
+  if (!good) refuse(what, value, must);
+}
+/// Rejects a value with a number that is NaN or infinite.
+template <class Value>
+void require_finite(const char* what, const Value& value, const char* must = "must be finite") {
+  require(finite(value), what, value, must);
+}
+/// Rejects a direction or quaternion whose length is not 1.
+template <class Value>
+void require_unit(const char* what, const Value& value) {
+  require(is_unit(value), what, value, "must have the length 1");
+}
 
 }  // namespace joints
 /// @}

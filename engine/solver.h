@@ -1,5 +1,4 @@
-// The interface of every solver, which computes the impulses of a step's blocks. It does not depend
-// on joints.
+// The interface of every solver, which computes the impulses of a step's blocks.
 #pragma once
 
 #include <functional>
@@ -12,31 +11,28 @@
 namespace joints {
 
 /// Computes impulses such that each row reaches its target rate or one of its bounds, and applies
-/// them to the bodies. The step calls check, prepare, warm_start and solve in this order, and then
-/// prepare and solve again as long as late limits add blocks. A new solver is one class in one
-/// file.
+/// them to the bodies. The step calls prepare, warm_start and solve in this order, and then prepare
+/// and solve again as long as late limits add blocks. A new solver is one class in one file.
 class Solver {
  public:
   virtual ~Solver() = default;
   /// Validates the settings, before anything has moved.
   /// \throws std::invalid_argument for an invalid setting
   virtual void check() const = 0;
-  /// Computes all data that solve() needs for the blocks from number `first` on. Those before it
-  /// are already prepared. \param h step [s]
+  /// Computes all data that solve() needs for the blocks from number `first` on. \param h step [s]
   virtual void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) = 0;
   /// Multiplies the accumulated impulses of the last step by `ratio` and applies them.
   /// \param ratio h over the last step's h [1]; 0 for a cold start, which sets the impulses to zero
   virtual void warm_start(Bodies& bodies, real ratio) = 0;
   /// Changes velocities and accumulated impulses so that they approach the solution.
   virtual void solve(Bodies& bodies) = 0;
-  /// Describes, for reports, which method the solver chooses for these blocks; "" if it has no
-  /// choice.
+  /// For reports: which method the solver chooses for these blocks; "" if it has no choice.
   virtual std::string description(const Bodies&, const Blocks&) const { return {}; }
-  /// Evaluates the blocks of the step again, at the bodies' present poses, by appending them.
+  /// Appends the blocks of the step again, at the bodies' present poses.
   /// \param of for each slot: only the blocks of joints of these bodies; null: of all joints
   using Append = std::function<void(Blocks&, const std::vector<bool>* of)>;
-  /// Moves the bodies by their velocities. A solver that corrects errors by other means than
-  /// impulses does so here, before or after the move. \param h step [s]
+  /// Moves the bodies by their velocities. Here a solver corrects errors by other means than
+  /// impulses. \param h step [s]
   virtual void advance(Bodies& bodies, real h, [[maybe_unused]] const Append& append) {
     integrate_poses(bodies, h);
   }
@@ -64,7 +60,6 @@ class IterativeSolver : public Solver {
  public:
   int iterations = 30;  ///< iterations over all blocks per solve()
   real relaxation = 1;  ///< over-relaxation: factor of every impulse change [1]; stable below 2
-
   void check() const override;
 };
 

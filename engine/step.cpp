@@ -13,12 +13,11 @@ void begin_step(World& world, Solver& solver, real h, bool warm_start, const Ste
   Blocks& blocks = world.blocks;
   const HeldMatrices matrices(world.bodies);  // for the rows and for their K
   const real duration = method.integrate_forces(world, h);
-  const real before = blocks.impulse_duration;
-  blocks.last_impulse_duration = before;
+  const real before = blocks.last_impulse_duration = blocks.impulse_duration;
   blocks.impulse_duration = duration;
   world.last_h = h;
 
-  const bool first_rows = blocks.J.empty();  // it never shrinks
+  const bool first_rows = blocks.J.empty();  // the array never shrinks: empty in the first step
   blocks.clear();
   for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h, duration);
   for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);

@@ -1,5 +1,5 @@
-// The step, which advances a world by h: Algorithm 1 of the thesis. step.cpp has all of it. Other
-// ways to step are in engine/steps.
+// The step, which advances a world by h: Algorithm 1 of the thesis. Other ways to step are in
+// engine/steps.
 #pragma once
 
 #include "engine/solver.h"
@@ -27,9 +27,8 @@ class StepMethod {
 };
 
 /// Advances the world by one step: forces change the velocities, the solver computes the impulses
-/// of all joints, and the new velocities move the bodies. Memory is allocated only when there are
-/// more rows than in any step before, or when the solver has to regroup its blocks. The input is
-/// not validated: step() of engine/steps/step.h does that before it calls this one.
+/// of all joints, and the new velocities move the bodies. The input is not validated: step() of
+/// engine/steps/step.h does that before it calls this one.
 /// \param h step [s] \param warm_start start from the impulses of the last step
 void step(World& world, Solver& solver, real h, bool warm_start, const StepMethod& method);
 

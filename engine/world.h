@@ -2,7 +2,6 @@
 // particular joint or solver.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -15,18 +14,8 @@
 /// @{
 namespace joints {
 
-/// Identifies a joint of type J until it is removed: `JointId(world.add<HingeJoint>(a, b, anchor,
-/// axis))` is that of a hinge. Unlike a reference it is checked: after the removal, and in another
-/// world, it is rejected.
 template <class J = Joint>
-struct JointId {
-  std::uint64_t number = 0;  ///< of all joints that were ever added; 0 identifies no joint
-
-  JointId() = default;  ///< identifies no joint
-  /// Of a joint that a world holds.
-  JointId(const J& joint) : number(joint.number()) {}
-  bool operator==(const JointId&) const = default;  ///< the same joint
-};
+struct JointId;  // engine/kept/joint_id.h
 
 /// Bodies, the joints between them, and gravity. Anything may be added, removed or changed
 /// between two steps.
@@ -62,32 +51,20 @@ class World {
     adopt(std::move(joint));
     return reference;
   }
-  /// The same with the bodies as the first argument, which the world passes by itself.
+  /// Its form before version 0.10.
   template <class J, class... Arguments>
     requires std::is_constructible_v<J, const Bodies&, Arguments...>
   [[deprecated("the world passes its bodies: write world.add<J>(body1, body2, ...)")]]
   J& add(Bodies&, Arguments&&... arguments) {
     return add<J>(std::forward<Arguments>(arguments)...);
   }
-  /// Removes one joint, in constant time. \throws std::invalid_argument if it does not belong to
-  /// this world
+  /// Removes one joint, in constant time. \throws std::invalid_argument if it is of another world
   void remove(const Joint& joint);
-  /// The joint with this id.
-  /// \throws std::invalid_argument if it was removed or belongs to another world
-  template <class J>
-  J& operator[](JointId<J> id) const {
-    const auto joint = dynamic_cast<J*>(find(id.number));
-    require(joint != nullptr, no_such_joint);
-    return *joint;
-  }
-  /// True if this id identifies a joint of this world.
-  template <class J>
-  bool alive(JointId<J> id) const { return find(id.number) != nullptr; }
-  /// Removes the joint with this id. \throws std::invalid_argument for a stale id
-  template <class J>
-  void remove(JointId<J> id) { remove((*this)[id]); }
-  /// Sets beta of all present joints. \param beta fraction of the error that is removed in a step
-  /// [1] \throws std::invalid_argument unless it is from 0 to max_beta
+  // By an id that is checked (engine/kept/joint_id.h):
+  template <class J> J& operator[](JointId<J> id) const;
+  template <class J> bool alive(JointId<J> id) const;
+  template <class J> void remove(JointId<J> id);
+  /// Sets Joint::beta [1] of all present joints. \throws std::invalid_argument as check_beta()
   void set_beta(real beta);
 
   /// The joints in the order in which they were added, which is the order of their blocks. A loop

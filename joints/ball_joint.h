@@ -8,13 +8,6 @@
 /// @{
 namespace joints {
 
-/// Validates it. \throws std::invalid_argument unless both anchors are finite
-inline void check(const Point& point) {
-  if (finite(sum(point.anchor1_local) + sum(point.anchor2_local))) return;
-  require_finite("anchor1_local", point.anchor1_local, "must be finite [m]");
-  require_finite("anchor2_local", point.anchor2_local, "must be finite [m]");
-}
-
 /// As in `world.add<BallJoint>(a, b, anchor)`. \param anchor common point [m, world]
 inline Point make(std::type_identity<Point>, const Body& body1, const Body& body2,
                   const vec3& anchor) {

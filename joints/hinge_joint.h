@@ -1,7 +1,7 @@
 // The hinge of the engine. Given: there is nothing to edit here.
 #pragma once
 
-#include "joints/ball_joint.h"
+#include "chapters/02_ball/ball.h"
 #include "joints/driven_joint.h"
 
 /// \addtogroup chapter3

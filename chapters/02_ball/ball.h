@@ -30,6 +30,12 @@ struct Point {
   mat3 K(const Body& body1, const Body& body2) const;                ///< exercise 2.2 [1/kg]
 };
 
+/// Validates it. \throws std::invalid_argument unless both anchors are finite
+inline void check(const Point& point) {
+  if (finite(sum(point.anchor1_local) + sum(point.anchor2_local))) return;
+  require_finite("anchor1_local", point.anchor1_local, "must be finite [m]");
+  require_finite("anchor2_local", point.anchor2_local, "must be finite [m]");
+}
 /// Makes the part that holds two bodies together at the world point `anchor` [m], from their
 /// present poses.
 inline Point point_at(const Body& body1, const Body& body2, const vec3& anchor) {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "engine/require.h"
+#include "engine/real.h"
 #include "engine/todo.h"
 
 namespace joints {

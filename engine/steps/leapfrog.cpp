@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/kept/state.h"
+#include "engine/steps/soft.h"
 
 namespace joints {
 

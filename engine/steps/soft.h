@@ -1,4 +1,4 @@
-// Soft constraints: springs in the place of Baumgarte's beta.
+// Feedback changed by a way to step: springs in the place of Baumgarte's beta, or none.
 #pragma once
 
 #include "engine/block.h"
@@ -6,6 +6,12 @@
 /// \addtogroup world
 /// @{
 namespace joints {
+
+/// The same target without feedback: hard rows with the same bounds and target rate.
+inline RowSettings without_feedback(RowSettings target) {
+  target.beta = target.frequency = 0;
+  return target;
+}
 
 /// Makes springs of the blocks from number `first` on that hold a position and are hard.
 /// \param frequency natural frequency [Hz] \param damping damping ratio [1]

@@ -1,6 +1,8 @@
 // The iterations at the end of a step.
 #include "engine/steps/two_pass_impulses.h"
 
+#include "engine/steps/soft.h"
+
 namespace joints {
 
 void TwoPassImpulses::check() const {

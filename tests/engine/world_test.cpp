@@ -1,4 +1,5 @@
 // What may change between two steps: bodies and joints come and go.
+#include "engine/kept/joint_id.h"
 #include "tests/oracle/test.h"
 
 namespace {

@@ -1,11 +1,13 @@
 // The messages about invalid input.
-#include "engine/require.h"
+#include "engine/real.h"
 
 #include <cstdio>
 #include <stdexcept>
 #include <type_traits>
 
 namespace joints {
+
+void number_of_the_library(real) {}
 
 template <class Number>
 static std::string text(Number a) {

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 from judge import grade as grading
 
-LIMIT = 600  # for one case [s]: the longest takes a few seconds, and 70 under the sanitizers
+LIMIT = 600  # for one case [s]: the longest takes a few seconds, and a minute under the sanitizers
 
 
 @dataclass

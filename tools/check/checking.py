@@ -88,6 +88,8 @@ class Choice:
 
     def only_of(self, program):
         """Catch2's filter for a program: what is named, or the tests of this part."""
+        if self.args.sanitize and not self.only:
+            return f"~{SLOW}"
         if self.only or self.parts == {"first", "rest"} or program.part == "rest":
             return self.only
         return f"~{SLOW}" if self.parts == {"first"} else SLOW
@@ -205,7 +207,8 @@ def check(args):
     if args.quick:
         print("  left out by --quick: float, units and the known answers")
     if args.sanitize:
-        print("  under address and undefined-behaviour checks: double alone, no exercises")
+        print("  under address and undefined-behaviour checks: double alone, no "
+              "exercises, no slow tests")
     print(f"processor time: {built:.0f} s to build, {processor_time() - built:.0f} s to run; "
           f"{(time.time() - began) / 60:.1f} minutes by the clock")
     dearest.tell(began, built, processor_time() - built, report.scripts)

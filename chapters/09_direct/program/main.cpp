@@ -58,6 +58,43 @@ void sagging(const Choice& choice, std::vector<Summary>& lines) {
   }
 }
 
+// Exercises 9.5, 9.8 and 9.7: half the step, a heavy end, and a motor against a limit.
+void alone() {
+  const auto end_after = [](real h) {
+    Scene scene = sideways_chains(1, 4);
+    scene.world.gravity.x = 0;
+    DirectSolver direct;
+    for (int n = 0; n < steps_in(1, h); ++n) second_order_step(scene.world, direct, h);
+    return all_of(scene.world.bodies).back().x;
+  };
+  const real h = real(1) / 60;
+  const vec3 fine = end_after(h / 32);
+  std::printf("second_order_step: with half the step the end is off by %.2f of what it was\n",
+              double(length(end_after(h / 2) - fine) / length(end_after(h) - fine)));
+  for (const real kappa : {real(0), real(8)}) {
+    Scene scene = sideways_chains(1, 11);
+    Body& end = scene.world.bodies.at(10);
+    end.inverse_mass /= 10000, end.inverse_inertia_local /= real(10000);
+    DirectSolver direct;
+    direct.newton = 8, direct.added_inertia = kappa;
+    int halved = 0;
+    for (int n = 0; n < 300; ++n) {
+      step(scene.world, direct, h, {.leapfrog = true});
+      halved += direct.report().halved;
+    }
+    std::printf("slowed: with kappa %g an end of 10,000 links on nine halves velocities %d times\n",
+                double(kappa), halved);
+  }
+  Scene scene = sideways_chains(1, 2);
+  scene.world.gravity = vec3(0);
+  auto& hinge = static_cast<HingeJoint&>(*scene.world.joints().front());
+  hinge.set_limits(real(-0.1), real(0.1)), hinge.set_motor(2, 50);
+  DirectSolver direct;
+  for (int n = 0; n < 60; ++n) step(scene.world, direct, h);
+  std::printf("next_side: a motor that pushes against a limit at 0.1 rad stops at %.4f rad\n",
+              double(hinge.position(scene.world.bodies)));
+}
+
 void together(const Choice& choice, std::vector<Summary>& lines) {
   sideways(choice, lines);
   sagging(choice, lines);
@@ -87,6 +124,7 @@ int main(int argc, char** argv) {
                         options.text("out")};
     std::vector<Summary> lines;
     together(choice, lines);
+    alone();
     report(lines, choice.out);
   });
 }

@@ -1,6 +1,8 @@
 // Dry friction of a joint: what it takes from a motion is its force times the way, and where it can
 // hold it holds.
+#include "direct/direct_solver.h"
 #include "engine/instruments/measure.h"
+#include "engine/simd/packed.h"
 #include "tests/oracle/test.h"
 
 using Catch::Matchers::StartsWith;
@@ -83,4 +85,27 @@ TEST_CASE("a slider with friction stops after v^2 m / 2 F, and a motor leaves th
   CHECK(slider.friction() == 6);
   CHECK_THAT(refusal([&] { slider.set_friction(-1); }), StartsWith("strength is -1; "));
   CHECK(slider.friction() == 6);
+}
+
+TEST_CASE("an arm that friction holds sinks with a cold start, and hardly with a warm one") {
+  const auto sinks = [](Solver& solver, bool warm) {
+    World world;
+    const BodyId wall = world.add(static_body(vec3(0)));
+    const vec3 size(1, real(0.1), real(0.1));
+    const BodyId upper = world.add(box(1, size, vec3(real(0.5), 0, 0)));
+    const BodyId lower = world.add(box(1, size, vec3(real(1.5), 0, 0)));
+    const real enough = real(1.05 * 9.81);  // a twentieth more than the load
+    world.add<HingeJoint>(wall, upper, vec3(0), vec3(0, 0, 1)).set_friction(2 * enough);
+    world.add<HingeJoint>(upper, lower, vec3(1, 0, 0), vec3(0, 0, 1)).set_friction(enough / 2);
+    world.set_beta(1);
+    for (int n = 0; n < 600; ++n)
+      step(world, solver, real(1) / 60, {.warm_start = warm, .substeps = 4});
+    return -double(world_point(world.bodies[lower], vec3(real(0.5), 0, 0)).y);
+  };
+  PackedImpulses iterations;
+  iterations.iterations = 8;
+  DirectSolver direct;
+  CHECK(sinks(iterations, false) > 1);
+  CHECK(sinks(iterations, true) < 0.01);
+  CHECK(std::abs(sinks(direct, false)) < tolerance(1e-6, 1e-3));
 }

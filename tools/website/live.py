@@ -27,7 +27,7 @@ def sources():
     """What the module is made of: {name of an object: the sources that are compiled as one}."""
     root, chapters = house.ROOT, house.chapters()
     mine = {chapter.mine for chapter in chapters}
-    engine = ("require", "body", "matrix", "block", "world", "solver",
+    engine = ("real", "body", "matrix", "block", "world", "solver",
               "sequential_impulses", "step", "kept/state", "kept/input",
               "steps/step", "steps/leapfrog", "steps/projection", "steps/two_pass_impulses",
               "simd/lane_order", "simd/places",

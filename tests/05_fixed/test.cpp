@@ -5,7 +5,6 @@
 #include "tests/05_fixed/drawn_cases.h"
 #include "tests/05_fixed/load_cases.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/named.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -73,10 +72,4 @@ TEST_CASE("5.2 a load is its impulses over the time, however small", "[5.2]") {
 
 TEST_CASE("5.2 a weld breaks just above a bound and not just below", "[5.2]") {
   if (!is_float) check_drawn({"5.2", "whether a weld breaks", 3}, drawn_breaks);
-}
-
-// ---- what the tests know of mistakes ------------------------------------------------------------
-
-TEST_CASE("each usual mistake of chapter 5 is called by its name") {
-  are_sound(cross_table(), load_table(), about_table(), break_table());
 }

@@ -177,7 +177,9 @@ inline CaseTable<ChainCase> iteration_table() {
   CaseTable<Case> table{iteration_subject, {}, {}, {}, {}, {}};
   for (int k = 0; k < 5; ++k)
     for (const char* of : {"x", "rotation", "v"})
-      table.entries.push_back(of + (" of body " + std::to_string(k)));
+      for (const char* part : {".x", ".y", ".z"})
+        table.entries.push_back(of + (" of body " + std::to_string(k)) + part);
+  table.whole = true;
   table.cases = {{"every joint torn", torn_chain({0.1, 0.1, 0.1, 0.1}, true)},
                  {"two closed", torn_chain({0, 0.1, 0, 0.1}, false)},
                  {"two hardly open", torn_chain({1e-7, 1e-7, 0.1, 0.1}, true)},

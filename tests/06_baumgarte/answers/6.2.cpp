@@ -47,6 +47,12 @@
 // mistake "the bodies are exchanged: body 1 first, then body 2": body1, body2 ==> body2, body1
 // mistake "v1, w1, v2 and w2 take a new value where it is added to the old one: += and not =": ;
 //         ==> ; body1.v = body1.w = body2.v = body2.w = vec3(0);
+// mistake "both bodies of apply_impulse are body 1: body 2 comes second": body1, body2 ==> body1,
+//         body1
+// mistake "only lambda.x and lambda.y are scaled: all three are": lambda *= ratio ==> lambda.x *=
+//         ratio; lambda.y *= ratio
+// mistake "a negative impulse is left out: a joint pulls, too": ratio; ==> ratio; lambda =
+//         glm::max(lambda, vec3(0));
 // wrong drawn-threshold: lambda *= ratio; ==> if (length(lambda) < real(1e-9)) return; lambda *=
 //         ratio;
 // wrong drawn-cut: ratio; ==> ratio; if (length(lambda) > 1000) lambda *= 1000 / length(lambda);

@@ -68,6 +68,10 @@
 // mistake "the rotation of body 2 is missing": body2.q = turned(body2.q, move2.w, 1); ==>
 // mistake "the sign of the moves: they are added to x, lambda has the sign already": += move1 ==> -=
 //         move1 ;; += move2 ==> -= move2
+// mistake "the moves are turned into the world: they are in world axes already": += move1.v ==> +=
+//         to_world(body1, move1.v) ;; += move2.v ==> += to_world(body2, move2.v)
+// mistake "the rotations are turned into the body's axes: w is in world axes": q, move1.w ==> q,
+//         to_local(body1, move1.w) ;; q, move2.w ==> q, to_local(body2, move2.w)
 // mistake "the sign of the rotations": q, move1.w ==> q, -move1.w ;; q, move2.w ==> q, -move2.w
 // mistake "the moves of the two bodies are exchanged, their rotations are not": move1.v; ==> move0.v;
 //         ;; move2.v; ==> move1.v; ;; move0 ==> move2

@@ -85,6 +85,9 @@ inline Drawn drawn_friction(Draw& d) {
     const double more = 1 + std::pow(10, -(is_float ? 2 : 8) * d.pick()) / 2;
     before = rate / K + (rate > 0 ? -more : more) * bound;
   }
+  d.size("mu normal", bound, "N s");
+  d.size("|old sum|", before, "N s");
+  d.size("|sum - rate / K|", before - rate / K, "N s");
   d.side("the rate is negative", rate < 0);
   d.side("it sticks", std::abs(before - rate / K) < bound);
   real sum = real(before);

@@ -74,6 +74,8 @@ inline std::vector<TangentCase> rest_cases() {
   add("n askew", {real(0.6), real(0.8), 0});
   add("n near x", normalize(vec3(1, real(0.01), real(-0.02))));
   add("n near y", normalize(vec3(real(0.01), 1, real(0.02))));
+  for (const vec3& off : {vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)})
+    add("n hardly off an axis", normalize(off + real(is_float ? 0.02 : 1e-8) * vec3(1, -2, 1)));
   Random random(820);
   for (int draw = 0; draw < 20; ++draw) add("tilted", random.turn() * y);
   for (const vec3& v : stand_ins())

@@ -88,6 +88,10 @@
 // wrong drawn-threshold: return dot ==> const real C = dot ;; - height; ==> - height; return
 //         std::abs(C) < real(1e-3) ? 0 : C;
 // expects: |C| 0.001 m
+// mistake "p - x1 is turned into axes of body 1 and n is not: both in the world, or both in body
+//         1": point(body1, body2) - body1.x ==> to_local(body1, point(body1, body2) - body1.x)
+// mistake "the corner is taken for one of body 1: it is one of body 2": point(body1, body2) ==>
+//         world_point(body1, corner_local)
 // wrong drawn-cut: return dot ==> return std::min(real(50), dot ;; height; ==> height);
 // expects: right up to a case with |C|
 // right C from the centre of the ball: point(body1, body2) ==> world_point(body2, corner_local) ;;
@@ -169,6 +173,23 @@
 //         to_local(body2, cross(r2, direction))
 // mistake "the levers are turned once more: p - x is in the world already": x; ==> x; const vec3 l1
 //         = to_world(body1, r1), l2 = to_world(body2, r2); ;; r1, ==> l1, ;; r2, ==> l2,
+// mistake "the cross product in w1 is turned once more: lever and direction are in the world
+//         already": -cross(r1, direction) ==> -to_world(body1, cross(r1, direction))
+// mistake "the cross product in w1 is turned into axes of body 1: J is in world axes": -cross(r1,
+//         direction) ==> -to_local(body1, cross(r1, direction))
+// mistake "the lever in w1 is turned into axes of body 1: J is in world axes": -cross(r1,
+//         direction) ==> -cross(to_local(body1, r1), direction)
+// mistake "the lever in w1 is turned once more: p - x is in the world already": -cross(r1,
+//         direction) ==> -cross(to_world(body1, r1), direction)
+// mistake "the cross product in w2 is turned once more: lever and direction are in the world
+//         already": direction, cross(r2, direction) ==> direction, to_world(body2, cross(r2,
+//         direction))
+// mistake "the cross product in w2 is turned into axes of body 2: J is in world axes": direction,
+//         cross(r2, direction) ==> direction, to_local(body2, cross(r2, direction))
+// mistake "the lever in w2 is turned once more: p - x is in the world already": direction,
+//         cross(r2, direction) ==> direction, cross(to_world(body2, r2), direction)
+// mistake "the lever of body 1 begins at the centre of both: p - x1": r1 = p - body1.x ==> r1 = p -
+//         body1.x - body2.x
 // mistake "n in the place of the direction in v1 and v2": return {-direction, -cross(r1,
 //         direction), direction, cross(r2, direction)} ==> return {-up(body1), -cross(r1,
 //         direction), up(body1), cross(r2, direction)}

@@ -47,6 +47,22 @@
 // wrong not-unit-vector-rest: vec3 ==> const vec3 ;; other = ==> t1 = cross(n, ;; ; across = other
 //         - dot(n, other) * n ==> ); return {t1, cross(n, t1)}
 // wrong not-ground-rest: { const vec3 other ==> across ;; across = other - dot(n, other) * n; } ==>
+// mistake "the part along n is subtracted along the y axis of the world: it is along n, (n.v) n":
+//         dot(n, sliding) * n ==> dot(n, sliding) * vec3(0, 1, 0)
+// mistake "the sign of the part along n is lost: it is (n.v) n, whatever the sign of n.v": dot(n,
+//         sliding) * n ==> std::abs(dot(n, sliding)) * n
+// mistake "the whole speed is subtracted along n: subtract the part of the velocity along it, (n.v)
+//         n": dot(n, sliding) * n ==> length(sliding) * n
+// mistake "the square of the speed is subtracted along n: subtract (n.v) n": dot(n, sliding) * n
+//         ==> dot(sliding, sliding) * n
+// mistake "the cross product is subtracted: subtract the part of the velocity along n, (n.v) n":
+//         dot(n, sliding) * n ==> cross(n, sliding)
+// mistake "entry times entry where the dot product belongs: subtract (n.v) n": dot(n, sliding) * n
+//         ==> n * sliding
+// mistake "absolute values: t1 has the signs of the sliding": normalize(across) ==>
+//         normalize(abs(across))
+// mistake "t2 is the direction of the velocity: t2 = n x t1": cross(n, t1) ==> length(sliding) > 0
+//         ? normalize(sliding) : cross(n, t1)
 // mistake "the part along n is not subtracted: t1 lies in the ground": - dot(n, sliding) * n ==>
 // expects: by hand
 // mistake "the part along n is not subtracted: t1 lies in the ground": return {t1, cross(n, t1)}
@@ -107,6 +123,8 @@
 // wrong drawn-threshold: vec3 across = sliding - dot(n, sliding) * n ==> const vec3 up = n.y >
 //         real(0.9999) ? vec3(0, 1, 0) : n; vec3 across = sliding - dot(up, sliding) * up
 // expects: angle between n and y
+// wrong one-stand-in: std::abs(n.x) < real(0.6) ==> n.x == 0
+// expects: n hardly off
 // wrong zero-at-rest: vec3 ==> const vec3 ;; { const vec3 other = std::abs(n.x) < real(0.6) ?
 //         vec3(1, 0, 0) : vec3(0, 1, 0); across = other - dot(n, other) * n; } ==> return {vec3(0),
 //         vec3(0)};
@@ -159,6 +177,11 @@
 // expects: just beyond its bound
 // wrong drawn-threshold: std::clamp(wanted, -bound, bound) ==> std::abs(wanted) < bound +
 //         real(1e-4) ? wanted : std::clamp(wanted, -bound, bound)
+// wrong drawn-cut: bound = mu * normal ==> bound = std::min(mu * normal, real(1e4))
+// expects: mu normal
+// wrong drawn-threshold: const real wanted ==> if (std::abs(sum) < real(1e-6)) sum = 0; const real
+//         wanted
+// expects: |old sum|
 // mistake "always the same bound: are the ends of clamp exchanged, clamp(a, low, high), or was a
 //         variable never set?": const real wanted = sum - rate / K, bound = mu * normal ==>
 //         (void)rate; (void)K ;; std::clamp(wanted, -bound, bound) ==> -mu * normal
@@ -174,6 +197,27 @@
 // mistake "the bound is an impulse already: mu normal, without h": normal ==> normal / 50
 // mistake "the bound is an impulse already: mu normal, without h": normal ==> normal * 100
 // mistake "the bound is an impulse already: mu normal, without h": normal ==> normal / 100
+// mistake "the bound is mu times the normal impulse, not mu times the sum of this row": mu * normal
+//         ==> mu * std::abs(sum)
+// mistake "mu is kept below 1: a rough ground has more": mu ==> std::min(mu, real(1))
+// mistake "mu is a factor of the required impulse: it is one of the bound alone": - rate / K ==> -
+//         mu * rate / K
+// mistake "the old sum is taken twice in the required sum: sum - rate/K": sum - rate ==> sum + sum
+//         - rate
+// mistake "below -mu normal the sum becomes +mu normal: it becomes -mu normal": std::clamp(wanted,
+//         -bound, bound) ==> std::abs(wanted) > bound ? bound : wanted
+// mistake "the old sum is returned: return the change of the sum": return sum - before ==> return
+//         before
+// mistake "what the bound has cut off is returned: return the change of the sum": return sum -
+//         before ==> return wanted - sum
+// mistake "nothing is done where the sum is 0: there friction begins": const real wanted ==> if
+//         (sum == 0) return 0; const real wanted
+// mistake "an old sum below 0 is forgotten: friction acts either way": const real wanted ==> sum =
+//         std::max(sum, real(0)); const real wanted
+// mistake "nothing is done where the rate is negative: friction acts against sliding either way":
+//         const real wanted ==> if (rate < 0) return 0; const real wanted
+// mistake "nothing is done where the rate is positive: friction acts against sliding either way":
+//         const real wanted ==> if (rate > 0) return 0; const real wanted
 // mistake "the bound is cut to a whole number: an int has no fraction": bound = mu * normal ==>
 //         bound = int(mu * normal)
 // mistake "the required impulse is cut to a whole number: an int has no fraction": wanted = sum -

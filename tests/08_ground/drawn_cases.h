@@ -12,20 +12,28 @@ namespace joints::testing {
 inline Drawn drawn_corner(Draw& d, bool of_row) {
   const Draw::Units u = d.units(6);
   Pair pair = d.pair(u);
-  const double lever = d.size("lever", d.length(u), "m");
-  const double height = d.size("height", d.length(u), "m");
-  Corner corner{d.vector(lever), 0, real(height)};
-  if (d.chance("it is a ball")) corner.radius = real(0.3 * lever);
-  const double apart = d.size("|C|", (lever + height) * std::pow(10, -5 * d.pick()), "m");
+  const double lever = d.size("distance of the corner", d.length(u), "m");
+  const double height = d.chance("height is 0") ? 0 : d.length(u);
+  d.size("height", height, "m");
+  const double radius = d.chance("it is a ball") ? lever * d.scale(3) : 0;
+  d.size("radius", radius, "m");
+  Corner corner{d.vector(lever), real(radius), real(height)};
+  if (d.chance("corner_local has an entry that is 0"))
+    corner.corner_local[int(2.99 * d.pick())] = 0;
+  const double far = lever + height + radius;
+  const double apart = d.size("|C|", far * std::pow(10, -5 * d.pick()), "m");
   const double C = d.chance("C is negative") ? -apart : apart;
+  if (!d.chance("body 1 is beside the origin")) pair.body1.x = vec3(0);
   const vec3 n = pair.body1.q * vec3(0, 1, 0), beside = cross(n, d.vector(lever));
   const vec3 rho = corner.radius * n, arm = pair.body2.q * corner.corner_local;
-  pair.body1.x = vec3(0);
-  pair.body2.x = real(height + C) * n + beside - arm + rho;
+  const vec3 r1 = real(height + C) * n + beside, r2 = arm - rho;
+  pair.body2.x = pair.body1.x + r1 - r2;
   if (!of_row)
     return {{"C / |C|"}, {double(corner.error(pair.body1, pair.body2)) / apart}, {C / apart},
-            {10 + (is_float ? 1e-3 : 1e-5) * (lever + height) / apart}};
-  const vec3 r1 = pair.body2.x + arm - rho, r2 = arm - rho, t = normalize(d.vector());
+            {10 + (is_float ? 1e-3 : 1e-5) * (far + u.m) / apart}};
+  const vec3 t = normalize(d.vector());
+  d.size("lever of body 1", double(length(r1)), "m");
+  d.size("lever of body 2", double(length(r2)), "m");
   const double l1 = double(length(r1)), l2 = double(length(r2));
   const double rounding_of = is_float ? 1e-3 : 1e-6;
   return drawn_rows(to_jacobian(corner.along(t, pair.body1, pair.body2)),
@@ -35,34 +43,61 @@ inline Drawn drawn_corner(Draw& d, bool of_row) {
 
 /// Bodies that slide at any speed or hardly, where t1 is any direction across n, or nearly.
 inline Drawn drawn_tangents(Draw& d) {
-  const vec3 n = d.turn() * vec3(0, 1, 0);
+  vec3 n = d.turn() * vec3(0, 1, 0);
+  if (d.chance("n is along x, y or z")) {
+    const int axis = int(2.99 * d.pick());
+    n = vec3(0);
+    n[axis] = d.pick() < 0.5 ? 1 : -1;
+  }
   const bool near_limit = d.chance("the sliding is near 1e-4 m/s");
   const bool slower = d.chance("it is slower");
   const double beside = std::pow(10, -(is_float ? 2 : 6) * d.pick()) / 2;
   const double from = near_limit ? 1 + beside : std::pow(10, 8 * d.pick());
   const double speed = d.size("sliding across n", 1e-4 * (slower ? 1 / from : from), "m/s");
-  const double along = d.size("speed along n", (is_float ? 1 : 100) * d.pick() * speed, "m/s");
-  const vec3 across = normalize(cross(n, d.vector()));
+  const double ratio = d.chance("the speed along n is 0") ? 0 : d.scale(6);
+  const double along = d.size("speed along n", (is_float ? d.pick() : ratio) * speed, "m/s");
+  const double tilt = std::atan2(double(length(vec3(n.x, 0, n.z))), double(n.y));
+  d.size("angle between n and y", tilt, "rad");
+  d.size("speed along n over sliding", along / speed, "");
+  vec3 aside = d.vector();
+  if (d.chance("the sliding has an entry that is 0")) aside[int(2.99 * d.pick())] = 0;
+  const vec3 across = normalize(cross(n, aside));
   const auto [t1, t2] = tangents(n, real(speed) * across + real(along) * n);
   const vec3 right = slower ? normalize(t1 - dot(n, t1) * n) : across;
   return drawn_vectors({"t1", "t2"}, flat(std::vector<vec3>{t1, t2}),
                        flat(std::vector<vec3>{right, cross(n, right)}), {1});
 }
 
+/// Each number is 0 now and then, or spread over twelve decades beside the others.
 inline Drawn drawn_friction(Draw& d) {
-  const double rate = d.size("|rate|", d.any_size(), "m/s");
-  const double K = d.size("K", d.scale(12), "1/kg"), stops = std::abs(rate) / K;
-  const double mu = d.size("mu", std::abs(d.number()), "");
-  const double normal = d.size("normal", stops / mu * d.scale(3), "N s"), bound = mu * normal;
-  const double before = d.old_sum(bound);
+  const double apart = is_float ? 2 : 6;
+  const double speed = d.any_size(), K = d.size("K", d.scale(12), "1/kg");
+  const double rate = d.size("|rate|", d.chance("the rate is 0") ? 0 : speed, "m/s");
+  const double stops = std::abs(speed) / K;
+  const double mu = d.size("mu", d.chance("mu is 0") ? 0 : d.scale(6), "");
+  const double normal =
+      d.size("normal", mu > 0 ? stops / mu * d.scale(int(apart)) : stops * d.scale(3), "N s");
+  const bool presses = !d.chance("nothing presses");
+  const bool beyond = d.chance("the required impulse is just beyond its bound");
+  double bound = presses ? mu * normal : 0;
+  double before = d.chance("the old sum is 0") ? 0 : d.old_sum(bound, stops);
+  if (beyond) {
+    const double more = 1 + std::pow(10, -(is_float ? 2 : 8) * d.pick()) / 2;
+    before = rate / K + (rate > 0 ? -more : more) * bound;
+  }
+  d.size("mu normal", bound, "N s");
+  d.size("|old sum|", before, "N s");
+  d.size("|sum - rate / K|", before - rate / K, "N s");
   d.side("the rate is negative", rate < 0);
   d.side("it sticks", std::abs(before - rate / K) < bound);
   real sum = real(before);
-  const double change = double(friction_impulse(real(rate), real(K), real(mu), real(normal), sum));
+  const double change = double(
+      friction_impulse(real(rate), real(K), real(mu), real(presses ? normal : 0), sum));
   const double right = std::clamp(before - rate / K, -bound, bound);
-  const double size = std::min(stops, bound);
+  const double size = bound > 0 ? std::min(stops, bound) : stops;
   return {{"change", "new sum"}, {change / size, double(sum) / size},
-          {(right - before) / size, right / size}, {10 + 1e-6 * (bound + stops) / size}};
+          {(right - before) / size, right / size},
+          {10 + 1e-6 * (bound + stops + std::abs(before)) / size}};
 }
 
 }  // namespace joints::testing

@@ -275,6 +275,20 @@ def around(lines, region):
     return lines[begin:region.begin - 1], lines[region.end + 1:end + 1]
 
 
+def of_member(before):
+    """A member function as one of a struct that is derived from its own: the declaration, the lines
+    with this name, a plain function that is given the part first, and what that is called."""
+    head = re.match(r"(.*?) (\w+)::(\w+)\((.*?)\) const \{", " ".join(before))
+    if not head:
+        return [], before, [], re.search(r"(\w+)\(", " ".join(before))[1]
+    result, part, name, parameters = head.groups()
+    names = ", ".join(re.findall(r"(\w+)(?:,|$)", parameters))
+    declared = [f"struct Mistaken : {part} {{ {result} {name}({parameters}) const; }};"]
+    called = [f"{result} does(const {part}& part, {parameters}) {{ "
+              f"return Mistaken{{part}}.{name}({names}); }}"]
+    return declared, [line.replace(f"{part}::", "Mistaken::", 1) for line in before], called, "does"
+
+
 def make_mistakes(solution, files, out, root, refused):
     """Writes one source of all mistakes of these files, each a function in a namespace of its own;
     what it calls is the reader's."""
@@ -286,9 +300,9 @@ def make_mistakes(solution, files, out, root, refused):
     for k, one in enumerate((a for a in read_all(files, text) if a.kind == "mistake"
                              and not a.faults and a.key() not in refused), 1):
         before, behind = around(lines, regions[one.id][one.region - 1])
-        name = re.search(r"(\w+)\(", " ".join(before))[1]
-        made += [f"namespace mistake_{k} {{", f'#line 1 "{root}/{shown}"', *before, *one.placed(),
-                 f'#line 1 "{root}/{shown}"', *behind, "}"]
+        declared, before, called, name = of_member(before)
+        made += [f"namespace mistake_{k} {{", *declared, f'#line 1 "{root}/{shown}"', *before,
+                 *one.placed(), f'#line 1 "{root}/{shown}"', *behind, *called, "}"]
         words = json.dumps(one.told.strip('"'), ensure_ascii=False)
         table.append(f'  {{"{one.id}", {one.region}, {words}, &joints::mistake_{k}::{name}}},')
     head = ["// Made by tools/check/answers.py."]

@@ -64,9 +64,10 @@ def broken_promises(answer, reports):
         poses = answers.NAMED.match(answer.told)[2]
         told = told and (not poses or f"({fold(poses)})" in flat[0].partition("#")[2])
     else:
-        words = fold(answer.told.strip('"')) + " Where:" * (answer.kind == "mistake")
-        told = f"Likely mistake: {words}" in answers.without_ids(flat[0]) or \
-            "Likely mistake: " not in flat[0] and words in flat[0]
+        words = fold(answer.told.strip('"'))
+        ends = (" Where:", " (") if answer.kind == "mistake" else ("",)  # in brackets the poses
+        told = any(f"Likely mistake: {words}{end}" in answers.without_ids(flat[0]) or
+                   "Likely mistake: " not in flat[0] and words + end in flat[0] for end in ends)
     if answer.told and not told:
         return [(answer.line, f"the first report does not tell {answer.told} but\n{reports[0]}")]
     for number, words in answer.promises:

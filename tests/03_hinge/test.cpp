@@ -10,7 +10,6 @@
 #include "tests/03_hinge/motor_cases.h"
 #include "tests/03_hinge/turns_cases.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/named.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -164,16 +163,4 @@ TEST_CASE("3.5 a motor takes back the excess of its impulse", "[3.5]") {
 
 TEST_CASE("3.5 a motor of any strength is bounded, whatever it gave before", "[3.5]") {
   check_drawn({"3.5", "the impulse of a motor"}, drawn_motor);
-}
-
-// ---- what the tests know of mistakes ------------------------------------------------------------
-
-TEST_CASE("each usual mistake in the rows of a hinge is called by its name") {
-  each_row_is_named<AxisFixture>();
-  each_row_is_named<HingeAngleFixture>();
-}
-
-TEST_CASE("each usual mistake of chapter 3 is called by its name") {
-  are_sound(axis_table(), coupling_table(), angle_table(), turns_table(), limit_table(),
-            motor_table());
 }

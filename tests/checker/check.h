@@ -12,6 +12,7 @@
 #pragma once
 
 #include "checker/samples.h"
+#include "tests/checker/known.h"
 #include "tests/checker/proved.h"
 
 namespace joints::testing {
@@ -79,7 +80,18 @@ inline void check(const Subject& subject, const std::string& report, const std::
 
 // ---- parts --------------------------------------------------------------------------------------
 
-/// \tparam Fixture may have mistakes of its own in functions `mistakes(part, pair)` and, of K,
+/// What the known mistakes of a subject's region make of a part.
+/// \tparam Function of the exercise's part and two bodies
+template <class Function, class Part, class Flat>
+Wrong known_of(const Subject& subject, const Part& part, const Pair& pair, Flat flat) {
+  Wrong out;
+  for (const auto& [words, wrong] : known_mistakes<Function>(subject.id, subject.region))
+    out.push_back({words, flat(wrong(part, pair.body1, pair.body2))});
+  return out;
+}
+
+/// \tparam Fixture may name the part whose function is the exercise, as `Exercise`: its known
+/// mistakes are tried. It may have further ones in functions `mistakes(part, pair)` and, of K,
 /// `K_mistakes(part, pair)`
 template <class Fixture>
 Seen seen(const typename Fixture::Part& part) {
@@ -94,6 +106,14 @@ Seen seen(const typename Fixture::Part& part) {
       for (const auto& [words, J] : Fixture::mistakes(part, at)) wrong.push_back({words, flat(J)});
       return wrong;
     };
+  if constexpr (requires { typename Fixture::Exercise; }) {
+    using Of = typename Fixture::Exercise;
+    using Rows = decltype(part.jacobian(Body{}, Body{}))(const Of&, const Body&, const Body&);
+    out.mistakes = [part](const Pair& at) {
+      return known_of<Rows>(Fixture::J, part, at,
+                            [](const auto& J) { return flat(to_jacobian(J)); });
+    };
+  }
   if constexpr (requires(const Pair& at) { Fixture::K_mistakes(part, at); })
     out.K_mistakes = [part](const Pair& at) {
       Wrong wrong;

@@ -9,19 +9,11 @@ namespace joints::testing {
 
 inline const char* const told_ones_everywhere =
     "#ones-everywhere E has ones on its diagonal alone: mat3(1)";
-inline const char* const told_b_x_c = "#b-x-c b x c: that is a2. The rows hold b x a1 and c x a1";
-
 // ---- chapter 3 ----------------------------------------------------------------------------------
-
-// Angular rows: w2 - w1.
-inline std::pair<std::string, Jacobian<2>> turning_rows(const char* words, const vec3& first,
-                                                        const vec3& second) {
-  return {words,
-          {{Row{vec3(0), -first, vec3(0), first}, Row{vec3(0), -second, vec3(0), second}}}};
-}
 
 struct AxisFixture {
   using Part = Axis;
+  using Exercise = Axis;
   static constexpr Subject J{"3.1", "the rows J of a hinge's axis", 2};
   static constexpr Subject K{"", "K of a hinge's axis"};
   static constexpr std::array rows{"C.b", "C.c"};
@@ -33,33 +25,6 @@ struct AxisFixture {
     pair.body2.x += random.vector(1);
     const vec3 a1 = to_world(pair.body1, part.a1_local);
     turn_about(pair.body2, pair.body2.x, rotation(random.uniform(-3, 3) * a1));
-  }
-  static std::vector<std::pair<std::string, Jacobian<2>>> mistakes(const Part& part,
-                                                                   const Pair& pair) {
-    const vec3 a1 = to_world(pair.body1, part.a1_local), a1_local = part.a1_local;
-    const vec3 b = to_world(pair.body2, part.b_local), c = to_world(pair.body2, part.c_local);
-    const vec3 a2 = cross(b, c), p = cross(b, a1), q = cross(c, a1);
-    const Jacobian<2> linear{{Row{-p, vec3(0), p, vec3(0)}, Row{-q, vec3(0), q, vec3(0)}}};
-    return {turning_rows("#body-space-b-c b_local and c_local are not turned into the world: take "
-                         "b and c above",
-                         cross(part.b_local, a1), cross(part.c_local, a1)),
-            turning_rows("#local-a1 a1_local is not turned into the world: take a1 above",
-                         cross(b, a1_local), cross(c, a1_local)),
-            turning_rows("nothing is turned into the world: take a1, b and c above",
-                         cross(part.b_local, a1_local), cross(part.c_local, a1_local)),
-            turning_rows("#axis-body-2 a2 in the place of a1: b x a1, not b x a2",
-                         cross(b, a2), cross(c, a2)),
-            turning_rows("#sign-one-row the sign of the whole row: b x a1, not a1 x b; or bodies "
-                         "1 and 2 swapped",
-                         -p, -q),
-            turning_rows(told_b_x_c, a2, -a2),
-            turning_rows(told_b_x_c, a2, a2),
-            turning_rows("b and c themselves: the rows hold their cross products with a1", b, c),
-            turning_rows("a1 itself: the rows hold b x a1 and c x a1", a1, a1),
-            turning_rows("#normalized unit vectors: b x a1 becomes shorter as the axes part",
-                         direction(p), direction(q)),
-            {"#v-w-exchanged the cross products stand in v1 and v2: they belong to w1 and w2",
-             linear}};
   }
 };
 
@@ -76,20 +41,6 @@ struct HingeAngleFixture {
     pair.body2.x += random.vector(1);
     const vec3 a1 = to_world(pair.body1, part.a1_local);
     turn_about(pair.body2, pair.body2.x, rotation(random.uniform(-1, 1) * a1));
-  }
-  static std::vector<std::pair<std::string, Jacobian<1>>> mistakes(const Part& part,
-                                                                   const Pair& pair) {
-    const vec3 a1 = to_world(pair.body1, part.a1_local);
-    const vec3 a2 = to_world(pair.body2, conjugate(part.start) * part.a1_local);
-    const auto about = [](const char* words, const vec3& g) {
-      return std::pair(std::string(words), to_jacobian(Row{vec3(0), -g, vec3(0), g}));
-    };
-    return {about("a1 in the place of g: that is exact only while the axes are aligned", a1),
-            about("a2 in the place of g: that is exact only while the axes are aligned", a2),
-            about("a1 + a2 is not divided by 1 + a1.a2", a1 + a2),
-            about("the mean of a1 and a2: divide by 1 + a1.a2, not by 2", (a1 + a2) / real(2)),
-            about("a unit vector: g becomes longer as the axes part", direction(a1 + a2)),
-            about("a1_local is not turned into the world", part.a1_local)};
   }
 };
 

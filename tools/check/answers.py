@@ -39,7 +39,7 @@ sys.path.insert(0, str(Path(__file__).absolute().parents[1]))
 from base import exercises  # noqa: E402
 
 HEADING = re.compile(r'// (wrong units|wrong|right|mistake) ("[^"]+"|[^":]+):(?: +(\S.*))?$')
-OPEN = re.compile(r'// (mistake|wrong) "[^"]*$')  # a sentence that goes on below
+OPEN = re.compile(r'// (mistake|wrong|wrong units) "[^"]*$')  # a sentence that goes on below
 NAMED = re.compile(r"([a-z0-9-]+(?: \+ [a-z0-9-]+)*)(?: \((.+)\))?$")  # a diagnosis, by its ids
 MORE = re.compile(r"// {7,}(\S.*)$")  # of changes that take more than a line
 DIAGNOSIS = re.compile(r"#([a-z0-9-]+) +(\S.*)", re.S)  # a text of a table of mistakes

@@ -75,8 +75,9 @@ real coupling(const Row& a, const Row& b, const Body& body1, const Body& body2) 
 
 real HingeAngle::twist(const Body& body1, const Body& body2) const {
   // begin [exercise 3.3]
-  // Return the angle of Eq. 3-9, in [-pi, pi]. conjugate(q) is q^-1 of a unit quaternion. The parts
-  // of q are q.w and the vector (q.x, q.y, q.z). std::atan2(p, s) is the angle of (s, p).
+  // Return the angle of Eq. 3-9, in [-pi, pi]. The member `start` is q_start. conjugate(q) is q^-1
+  // of a unit quaternion. The parts of q are q.w and the vector (q.x, q.y, q.z). std::atan2(p, s)
+  // is the angle of (s, p).
   todo("3.3");
   // end [exercise 3.3]
 }

@@ -81,6 +81,10 @@ REFUSED = {  # of the compiler's words
         "bodies[link.\\1\\2];",
     r".([xvwq])([12]). was not declared|undeclared identifier .([xvwq])([12])": "the letter of a "
         "formula is a member here: \\1\\3\\2\\4 is body\\2\\4.\\1\\3.",
+    r".(\w+). (?:was not|has not been) declared[^\n]*did you mean .([\w:]+).\?|"
+    r"undeclared identifier .(\w+).; did you mean .([\w:]+).\?": "no line above declares \\1\\3. "
+        "Is \\2\\4 meant? A function knows its arguments, the members of its part, which the "
+        "chapter's header lists, and what it declares itself.",
     r".(\w+). (?:was not|has not been) declared|undeclared identifier .(\w+)": "no line above "
         "declares \\1\\2. A function knows its arguments, what it declares itself, and what the "
         "table under Code in the chapter's text lists.",

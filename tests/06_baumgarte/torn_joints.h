@@ -208,9 +208,9 @@ inline CaseTable<ChainCase> iteration_table() {
       }, c);
     };
   };
-  table.mistakes.insert(table.mistakes.begin(),
-                        {"the iteration is right and its projections are not: look at `project` of "
-                         "a point, the first part of the exercise", yours_often(1)});
+  table.mistakes.put_first({"the iteration is right and its projections are not: look at "
+                            "`project` of a point, the first part of the exercise",
+                            yours_often(1)});
   table.tolerance = difference_tolerance;
   read_off(table, [=, yours = table.yours, tolerance = table.tolerance, c = table.cases[0]] {
     for (int n = 3; n < 200; ++n)

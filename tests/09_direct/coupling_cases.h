@@ -323,7 +323,7 @@ inline CaseTable<CouplingCase> coupling_table() {
                                   ": a block has up to six",
                               loops(n, [=](const Case& c, int) { return std::min(most, c.m); })});
   }
-  for (const auto& mistake : other_halves()) table.mistakes.push_back(mistake);
+  for (const auto& mistake : other_halves()) table.mistakes.add(mistake.words, mistake.does.of);
   table.cases = coupling_cases();
   read_off(table, {[yours = table.yours, cases = table.cases] {
     const bool behind = std::any_of(cases.begin(), cases.end(), [&](const Case& c) {

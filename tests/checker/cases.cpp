@@ -9,6 +9,19 @@ namespace joints::testing {
 
 namespace {
 
+// A mistake as the numbers that it gives in case c.
+using Asked = Mistake<Call<Numbers(std::size_t c)>>;
+// The numbers of all cases of a table, and of its mistakes.
+struct CaseNumbers {
+  std::vector<std::string> entries;  // what each number is called
+  std::vector<Compared> cases;
+  std::vector<Asked> mistakes;
+  Call<std::vector<Asked>()> pairs;  // asked where none of those fits
+  double tolerance;
+  bool whole;  // names only what explains all numbers
+  bool judged;  // the mistakes are the known ones
+};
+
 // Some of the numbers of every case.
 using Columns = std::vector<std::size_t>;
 Numbers at(const Numbers& numbers, const Columns& columns) {
@@ -127,8 +140,7 @@ std::string shown(const CaseNumbers& all, const Columns& columns) {
   return "";
 }
 
-}  // namespace
-
+// See AnyTable::likely().
 std::vector<std::string> likely_mistakes(const CaseNumbers& all, const Columns& own) {
   const std::size_t n = all.entries.size();
   Columns every, wrong;
@@ -164,6 +176,100 @@ std::vector<std::string> likely_mistakes(const CaseNumbers& all, const Columns& 
   }
   if (const std::string words = pattern(false); !words.empty()) return {words};
   return {};
+}
+
+vec3 vector_at(const Numbers& numbers, std::size_t i) {
+  return {real(numbers[3 * i]), real(numbers[3 * i + 1]), real(numbers[3 * i + 2])};
+}
+template <class T>
+std::vector<SuspectOf<T>> before(const std::vector<std::string>& likely, const T& yours,
+                                 const std::vector<SuspectOf<T>>& then) {
+  std::vector<SuspectOf<T>> out;
+  for (const std::string& words : likely) out.push_back({yours, words});
+  out.insert(out.end(), then.begin(), then.end());
+  return out;
+}
+
+}  // namespace
+
+void AnyTable::check() const {
+  for (const void* c : all()) check_one(c, right_in(c));
+}
+void AnyTable::check_one(const void* c, const Numbers& expected) const {
+  const Numbers numbers = yours_in(c);
+  if (whole) return check_whole(c, numbers, expected);
+  const std::string arguments = given_of(c), &words = words_of(c);
+  Subject about = subject;
+  about.given = arguments.c_str();
+  const std::size_t width = expected.size() / entries.size();
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::string entry = entries[i] + (words.empty() ? "" : ", ") + words;
+    Columns own;
+    for (std::size_t k = i * width; k < (i + 1) * width; ++k) own.push_back(k);
+    const auto likely = same(at(numbers, own), at(expected, own)) ? std::vector<std::string>{}
+                                                                  : likely_of({c}, own);
+    if (width == 3)
+      expect_or_say(about, entry, vector_at(numbers, i), vector_at(expected, i), tolerance, likely);
+    else expect_or_say(about, entry, numbers[i], expected[i], tolerance, likely);
+  }
+}
+void AnyTable::check_whole(const void* c, const Numbers& numbers, const Numbers& expected) const {
+  const bool right_here = same(numbers, expected);
+  const std::string arguments = right_here ? "" : given_of(c);
+  Subject about = subject;
+  about.given = arguments.c_str();
+  expect(about, words_of(c), entries_in(c), numbers, expected, tolerance,
+         right_here ? std::vector<std::string>{} : likely_of({c}));
+}
+std::string AnyTable::holds_in() const {
+  std::vector<std::string> right_ones;
+  const auto cases = all();
+  for (const void* c : cases)
+    if (same(yours_in(c), right_in(c))) right_ones.push_back(words_of(c));
+  return "Holds in " + std::to_string(right_ones.size()) + " of " + std::to_string(cases.size()) +
+         " cases" +
+         (right_ones.empty() || right_ones.back().empty() ? "" : ", such as " + right_ones.back()) +
+         ".";
+}
+bool AnyTable::holds() const {
+  return same_in_all([this](const void* c) { return yours_in(c); },
+                     [this](const void* c) { return right_in(c); });
+}
+bool AnyTable::same_in_all(const Call<Numbers(const void*)>& a,
+                           const Call<Numbers(const void*)>& b) const {
+  const auto cases = all();
+  return std::all_of(cases.begin(), cases.end(),
+                     [&](const void* c) { return same(a(c), b(c)); });
+}
+std::vector<Suspect> AnyTable::explain(double yours, std::vector<Suspect> otherwise) const {
+  return before(likely(), yours, otherwise);
+}
+std::vector<VectorSuspect> AnyTable::explain(const vec3& yours,
+                                             std::vector<VectorSuspect> otherwise) const {
+  return before(likely(), yours, otherwise);
+}
+std::vector<std::string> AnyTable::likely_of(std::vector<const void*> more,
+                                             const Columns& own) const {
+  for (const void* c : all()) more.push_back(c);
+  const auto asked = [&more](const std::vector<AnyMistake>& among) {
+    std::vector<Asked> out;
+    for (const auto& [words, answer] : among)
+      out.push_back({words, [&more, of = answer.of](std::size_t c) { return of(more[c]); }});
+    return out;
+  };
+  CaseNumbers numbers{names(), {}, asked(known()), [&] { return asked(pairs_of()); },
+                      tolerance, whole, judged};
+  for (const void* c : more) numbers.cases.push_back({yours_in(c), right_in(c)});
+  return likely_mistakes(numbers, own);
+}
+// What each number is called, where an entry is a vector, too.
+std::vector<std::string> AnyTable::names() const {
+  const std::size_t size = right_in(all()[0]).size();
+  if (entries.size() == size) return entries;
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < size; ++i)
+    out.push_back(entries[i * entries.size() / size] + "." + "xyz"[i % 3]);
+  return out;
 }
 
 }  // namespace joints::testing

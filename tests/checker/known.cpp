@@ -1,5 +1,7 @@
 #include "tests/checker/known.h"
 
+#include <stdexcept>
+
 namespace joints::testing {
 
 static std::vector<Known>& remembered() {
@@ -8,6 +10,15 @@ static std::vector<Known>& remembered() {
 }
 
 void Known::remember(const Known& one) { remembered().push_back(one); }
-const std::vector<Known>& Known::all() { return remembered(); }
+std::vector<const Known*> Known::of(const std::string& id, int region,
+                                    const std::type_info& type) {
+  std::vector<const Known*> out;
+  for (const Known& one : remembered()) {
+    if (one.id != id || one.region != region) continue;
+    if (*one.type != type) throw std::logic_error("a mistake of another type");
+    out.push_back(&one);
+  }
+  return out;
+}
 
 }  // namespace joints::testing

@@ -3,7 +3,6 @@
 // gives the reader's numbers is named by its sentence.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <typeinfo>
 #include <vector>
@@ -24,12 +23,20 @@ struct Known {
         type(&typeid(Function)) {
     remember(*this);
   }
+  template <class Function>
+  Function* as() const { return reinterpret_cast<Function*>(function); }
   static void remember(const Known& one);
-  /// All that are linked with the program.
-  static const std::vector<Known>& all();
+  /// Those of a region, all of them of one type.
+  static std::vector<const Known*> of(const std::string& id, int region,
+                                      const std::type_info& type);
 };
+/// \tparam Function the type of the region's function
+template <class Function>
+std::vector<const Known*> known_of_type(const std::string& id, int region) {
+  return Known::of(id, region, typeid(Function));
+}
 
-/// Those of a region. \tparam Function the type of its function
+/// The same with their words.
 template <class Function>
 struct KnownAs {
   const char* words;
@@ -38,11 +45,8 @@ struct KnownAs {
 template <class Function>
 std::vector<KnownAs<Function>> known_mistakes(const std::string& id, int region) {
   std::vector<KnownAs<Function>> out;
-  for (const Known& one : Known::all()) {
-    if (one.id != id || one.region != region) continue;
-    if (*one.type != typeid(Function)) throw std::logic_error("a mistake of another type");
-    out.push_back({one.words, reinterpret_cast<Function*>(one.function)});
-  }
+  for (const Known* one : known_of_type<Function>(id, region))
+    out.push_back({one->words, one->as<Function>()});
   return out;
 }
 

@@ -93,10 +93,10 @@ Wrong wrong_bodies(Rows J, const Pair& pair) {
 
 // ---- what is turned with which body -------------------------------------------------------------
 
-// The pair with other orientations. An answer that is right there and wrong elsewhere has left a
-// lever in body space (right where that body is not turned), has turned it the wrong way round
-// (right where it is turned by half a turn, too), or with the other body (right where both are
-// turned alike).
+// The pair with other orientations. An answer that is right there and wrong elsewhere has left
+// something in body space or turned it twice (right where that body is not turned), has turned it
+// the wrong way round (right where it is turned by half a turn, too), or with the other body (right
+// where both are turned alike).
 Pair turned(Pair pair, int which, const quat& q) {
   if (which != 2) pair.body1.q = q;
   if (which != 1) pair.body2.q = q;
@@ -112,6 +112,46 @@ std::string lever_that_differs(const Sample& s) {
   return differs[1] && differs[3] ? "each lever is"
                                   : std::string("the lever of body ") + (differs[1] ? "1" : "2") +
                                         " is";
+}
+
+// What one body has in J: w = r x v in each row, with the lever r to where it is pushed.
+struct Share {
+  std::vector<vec3> v, w;
+  Share(const Numbers& J, bool second) {
+    for (const Row& row : rows_of(J)) {
+      v.push_back(second ? row.v2 : row.v1);
+      w.push_back(second ? row.w2 : row.w1);
+    }
+  }
+};
+// Are the blocks w of a body those of its right lever, left in the axes of the body? All else of
+// its rows must be right. With one direction v the part of r along it is seen in nothing but this.
+bool lever_is_left(const Sample& s, const Body& body, bool second) {
+  const Share yours(s.yours, second), right(s.right, second);
+  mat3 A(0);
+  vec3 b(0);
+  for (std::size_t i = 0; i < right.v.size(); ++i) {
+    const mat3 across = skew(right.v[i]);
+    A -= across * across;
+    b += cross(right.v[i], right.w[i]);
+  }
+  const vec3 along = normalize(right.v[0]);
+  const bool one_direction = std::abs(dot(along, A * along)) < real(1e-6);
+  if (one_direction) A += mat3(along.x * along, along.y * along, along.z * along);
+  if (!(std::abs(determinant(A)) > real(1e-9))) return false;
+  const vec3 lever = to_local(body, inverse(A) * b), more = to_local(body, along);
+  real above = 0, below = 0;
+  for (std::size_t i = 0; one_direction && i < right.v.size(); ++i) {
+    const vec3 by = cross(more, right.v[i]);
+    above += dot(yours.w[i] - cross(lever, right.v[i]), by);
+    below += dot(by, by);
+  }
+  const vec3 left = lever + (below > 0 ? above / below : 0) * more;
+  for (std::size_t i = 0; i < right.v.size(); ++i)
+    if (length(yours.v[i] - right.v[i]) > difference_tolerance ||
+        length(yours.w[i] - cross(left, right.v[i])) > 10 * difference_tolerance)
+      return false;
+  return true;
 }
 
 // The same where some rows of J are right and the others have the mistake.
@@ -145,22 +185,29 @@ Wrong own_Js(const Seen& part, const Pair& pair) {
 
 std::vector<std::string> wrong_turns(const Pair& pair,
                                      const std::function<bool(const Pair&)>& holds,
-                                     const std::string& lever) {
+                                     const std::string& lever,
+                                     const std::function<bool(int)>& lever_left) {
   const quat unturned(1, 0, 0, 0), half_turn(0, real(0.36), real(0.48), real(0.8)),
       alike = rotation(vec3(real(0.4), real(-0.9), real(0.6)));
-  const char* const levers[] = {"the levers of both bodies are ", "the lever of body 1 is ",
-                                "the lever of body 2 is "};
   if (holds(turned(pair, 0, alike)))
     return {lever + " turned with the other body: each body turns its own"};
+  const char* const of[] = {"both bodies", "body 1", "body 2"};
   std::vector<std::string> out;
   for (const int which : {1, 2, 0}) {
     if (!holds(turned(pair, which, unturned))) continue;
     const bool more = which != 0 && lever == "each lever is";  // both blocks, by one body's turn
-    const std::string what = more ? std::string("a direction of body ") + "12"[which - 1] + " is "
-                                  : levers[which];
+    const std::string what = (more         ? "a direction of "
+                              : which == 0 ? "the levers of "
+                                           : "the lever of ") + std::string(of[which]) +
+                             (which == 0 ? " are " : " is ");
     if (holds(turned(pair, which, half_turn)))
       out.push_back(what + "turned the wrong way round: to_world, not to_local");
-    else out.push_back((more ? "" : "body-space lever: ") + what + "not turned into the world");
+    else if (lever_left(which))
+      out.push_back("body-space lever: " + what + "not turned into the world");
+    else
+      out.push_back(std::string("right only where ") + of[which] +
+                    (which == 0 ? " are" : " is") + " not turned: something of it is left in the "
+                    "body's axes, or is turned twice");
   }
   return out;
 }
@@ -180,11 +227,15 @@ Sample jacobian_sample(int pose, const Seen& part, const Pair& pair, const Numbe
   for (const Wrong& usual : {own, levers})
     if (sample.mistakes.empty()) add_named_in_rows(sample, usual);
   add_named(sample, wrong_bodies(rows_of(right), pair), difference_tolerance);
-  const std::string lever = lever_that_differs(sample);
   const auto holds = [&](const Pair& at) {
     return close(part.J(at), part.slope(at), difference_tolerance);
   };
-  if (pushes(rows_of(right))) add(sample, wrong_turns(pair, holds, lever));
+  const auto left = [&](int which) {
+    return (which == 2 || lever_is_left(sample, pair.body1, false)) &&
+           (which == 1 || lever_is_left(sample, pair.body2, true));
+  };
+  if (pushes(rows_of(right)))
+    add(sample, wrong_turns(pair, holds, lever_that_differs(sample), left));
   return sample;
 }
 

@@ -101,8 +101,19 @@ Wrong wrong_masses(const Rows& J, const Pair& pair) {
       {m2, real(2) * I2});
   const char* const one_moment = "#one-moment one moment stands for all three axes: that is right "
                                  "for a ball alone";
-  add(one_moment, {m1, mat3(local1[0][0])}, {m2, mat3(local2[0][0])});
-  add(one_moment, {m1, mat3(I1[0][0])}, {m2, mat3(I2[0][0])});
+  for (int i = 0; i < 3; ++i) {
+    add(one_moment, {m1, mat3(local1[i][i])}, {m2, mat3(local2[i][i])});
+    add(one_moment, {m1, mat3(I1[i][i])}, {m2, mat3(I2[i][i])});
+  }
+  const auto diagonal = [](const mat3& I) {
+    return mat3(I[0][0], 0, 0, 0, I[1][1], 0, 0, 0, I[2][2]);
+  };
+  add("only the diagonal of the world inertia is used: it has nine entries", {m1, diagonal(I1)},
+      {m2, diagonal(I2)});
+  add("the rotation's terms are halved: each stands once in K", {m1, I1 / real(2)},
+      {m2, I2 / real(2)});
+  add("the rotation's terms are doubled: each stands once in K", {m1, real(2) * I1},
+      {m2, real(2) * I2});
   add("#mass-for-inertia inverse mass where inverse inertia belongs",
       {m1, mat3(m1)}, {m2, mat3(m2)});
   add("the inverse inertia stands twice in a term", {m1, I1 * I1}, {m2, I2 * I2});
@@ -119,6 +130,8 @@ Wrong wrong_masses(const Rows& J, const Pair& pair) {
   add("#world-inertia-half-turned-back the world inertia lacks R on its left: it is R I^-1 R^T",
       {m1, local1 * transpose(R1)},
       {m2, local2 * transpose(R2)});
+  add("the world inertia is turned once more: inverse_inertia(body) is in world axes already",
+      {m1, R1 * I1 * transpose(R1)}, {m2, R2 * I2 * transpose(R2)});
   add("body 1 twice: each body has its own mass and inertia", one, one);
   add("body 2 twice: each body has its own mass and inertia", two, two);
   return out;
@@ -170,7 +183,8 @@ Sample K_sample(int pose, const Seen& part, const Pair& pair, const Numbers& rig
     return close(part.K(at), whole_K(part.slope(at), at), K_tolerance);
   };
   if (pushes(rows_of(J)))
-    for (const std::string& words : wrong_turns(pair, holds, "a lever is"))
+    for (const std::string& words :
+         wrong_turns(pair, holds, "a lever is", [](int) { return false; }))
       sample.mistakes.push_back(words);
   return sample;
 }

@@ -19,9 +19,11 @@ Wrong wrong_levers(const Rows& J, const Pair& pair);
 
 /// Vectors that are rotated wrongly, found from the poses at which an answer is right nevertheless.
 /// \param lever "the lever of body 1 is", or other words for it
+/// \param lever_left (1, 2 or 0 for both) whether all that is wrong is the lever of that body
 std::vector<std::string> wrong_turns(const Pair& pair,
                                      const std::function<bool(const Pair&)>& holds,
-                                     const std::string& lever);
+                                     const std::string& lever,
+                                     const std::function<bool(int)>& lever_left);
 
 /// Adds the mistakes that explain all numbers of a sample. A mistake that has no effect at its pose
 /// explains nothing.

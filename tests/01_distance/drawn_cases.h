@@ -5,15 +5,14 @@
 #include "tests/checker/drawn.h"
 #include "tests/checker/impulse_cases.h"
 #include "tests/checker/push_cases.h"
-#include "tests/checker/rod_mistakes.h"
 #include "tests/checker/vector_cases.h"
 
 namespace joints::testing {
 
 /// \param r1, r2 levers of its ends
 inline Jacobian<1> row_of_rod(const Pair& pair, const vec3& r1, const vec3& r2) {
-  const RodParts rod{pair.body1.x, pair.body2.x, r1, r2, 0, 0};
-  return rod.along(direction(rod.u()));
+  const vec3 u = pair.body2.x + r2 - pair.body1.x - r1;
+  return to_jacobian(row_by_rates(direction(u), r1, r2));
 }
 
 /// Centres at any distance; one of its components may be much smaller.
@@ -42,11 +41,11 @@ inline Drawn drawn_row_impulse(Draw& d) {
   const Row J = drawn_row(d, u);
   const double K = double(dense_K(to_jacobian(J), pair.body1, pair.body2)[0][0]);
   const double b = u.m / u.s * d.number();
-  const Lack lack(LackCase{"", {J}, {real(K)}, {b}, pair});
+  const LackCase lack{"", {J}, {real(K)}, {b}, pair};
   const double right = lack.lambda()[0];
-  d.size("|J V + b|", lack.JV[0] + b, "m/s");
+  d.size("|J V + b|", lack.rate(0), "m/s");
   d.size("|lambda|", right, "N s");
-  d.side("J V is positive", lack.JV[0] > 0);
+  d.side("J V is positive", lack.rate(0) > b);
   d.side("lambda is negative", right < 0);
   d.size("K", K, "1/kg");
   return {{"lambda / (kg m/s)"},
@@ -107,8 +106,8 @@ inline Drawn drawn_step(Draw& d, bool ropes) {
   for (std::size_t k = 0; k < bodies.size(); ++k)
     for (const char* entry : {"v.x", "v.y", "v.z", "h v.x", "h v.y", "h v.z"})
       out.entries.push_back(entry + (" of body " + std::to_string(k)));
-  for (const Way& way : right_ways()) {
-    const Numbers right = numbers(Walk({"", bodies, links, settings}, way).bodies());
+  for (const Order& order : right_orders()) {
+    const Numbers right = numbers(walk({"", bodies, links, settings}, order));
     const bool same = same_numbers(out.yours, right, 1e-8);
     if (same || out.right.empty()) out.right = right;
     if (same) break;

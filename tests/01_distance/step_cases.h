@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/todo.h"
-#include "tests/01_distance/step_impulses.h"
+#include "tests/01_distance/step_reference.h"
 #include "tests/checker/thrown.h"
 
 namespace joints::testing {
@@ -101,12 +101,15 @@ inline std::vector<Scene> rope_scenes() {
            {{0, 1, 1, true}}, {}, 60}};
 }
 
-/// The reader's step.
-inline Numbers stepped(const Scene& scene) {
+/// What a step makes of a scene, the reader's or one with a known mistake.
+using Step = void(std::vector<Body>&, const std::vector<Link>&, const StepSettings&);
+inline constexpr Step* your_step = step;
+inline Numbers stepped(Step* step, const Scene& scene) {
   std::vector<Body> bodies = scene.bodies;
   for (int n = 0; n < scene.steps; ++n) {
     const auto todo = thrown_by<NotDone>([&] { step(bodies, scene.links, scene.settings); });
     if (!todo) continue;
+    if (step != your_step) return Numbers(6 * most_bodies, -1e6);  // no one's numbers
     const auto rope = [](const Link& link) { return link.rope; };
     if (todo->id != "1.5" || std::any_of(scene.links.begin(), scene.links.end(), rope)) throw *todo;
     fail({"1.4", "the step"}, "Likely mistake: clamp_sum is called for a rod, which pushes, too. "
@@ -116,49 +119,43 @@ inline Numbers stepped(const Scene& scene) {
 }
 
 /// The order in which yours is right, or else from first to last.
-inline Way order_of_yours() {
-  for (const Way& way : right_ways()) {
+inline Order order_of_yours() {
+  const std::vector<Order> orders = right_orders();
+  for (const Order& order : orders) {
     bool fits = true;
     for (const Scene& s : rod_scenes())
-      fits = fits && close(stepped(s), walked(s, way), 10 * rounding);
-    if (fits) return way;
+      fits = fits && close(stepped(your_step, s), walked(s, order), 10 * rounding);
+    if (fits) return order;
   }
-  return {};
+  return orders[0];
 }
 
-/// Mistakes that explain all scenes come first, so that some scenes alone do not mislead. Each is
-/// tried with the links from first to last and from last to first.
-inline Ways sorted_mistakes(const std::vector<Scene>& all) {
-  Ways ways = step_mistakes();
-  for (std::size_t k = 0, count = ways.size(); k < count; ++k) {
-    ways.push_back(ways[k]);
-    Way& way = ways.back().second;
-    way.order = [order = way.order](int links, int n) {
-      std::vector<int> out = order(links, n);
-      std::reverse(out.begin(), out.end());
-      return out;
-    };
-  }
-  std::stable_partition(ways.begin(), ways.end(), [&](const auto& way) {
-    return std::all_of(all.begin(), all.end(), [&](const Scene& s) {
-      return close(stepped(s), walked(s, way.second), 10 * rounding);
-    });
-  });
-  return ways;
-}
-
-/// Some of the scenes beside the right step. \param all the scenes that a mistake must explain
+/// Some of the scenes beside the right step. \param all the scenes that a mistake should explain:
+/// those which do come first, so that some scenes alone do not mislead
 inline CaseTable<Scene> table_of(const Subject& subject, const std::vector<Scene>& scenes,
                                  const std::vector<Scene>& all) {
-  const Way right = scenes.front().links.empty() ? Way{} : order_of_yours();
-  CaseTable<Scene> table{subject, step_entries(), stepped,
-                         [=](const Scene& s) { return walked(s, right); }, {}, scenes};
+  const Order right = scenes.front().links.empty() ? right_orders()[0] : order_of_yours();
+  CaseTable<Scene> table{subject, step_entries(), {}, {}, {}, scenes};
+  judge(table, your_step, stepped);
+  table.right = [=](const Scene& s) { return walked(s, right); };
   table.whole = true;
   table.tolerance = 10 * rounding;
-  if (!table.holds())
-    for (const auto& [words, way] : sorted_mistakes(all))
-      table.mistakes.push_back(
-          {words, [way = way](const Scene& s) { return walked(s, way); }});
+  if (table.holds()) return table;
+  // the links from last to first
+  const auto backward = [](Scene scene) {
+    std::reverse(scene.links.begin(), scene.links.end());
+    return scene;
+  };
+  for (std::size_t k = 0, count = table.mistakes.size(); k < count; ++k) {
+    const AnyMistake mistake = table.mistakes[k];
+    table.mistakes.push_back(
+        {mistake.words, [=](const Scene& s) { return mistake.does(backward(s)); }});
+  }
+  std::stable_partition(table.mistakes.begin(), table.mistakes.end(), [&](const auto& mistake) {
+    return std::all_of(all.begin(), all.end(), [&](const Scene& s) {
+      return close(stepped(your_step, s), mistake.does(s), 10 * rounding);
+    });
+  });
   return table;
 }
 

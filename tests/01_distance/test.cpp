@@ -9,7 +9,6 @@
 #include "tests/01_distance/step_cases.h"
 #include "tests/checker/catch.h"
 #include "tests/checker/fixtures.h"
-#include "tests/checker/named.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -201,28 +200,4 @@ TEST_CASE("1.6 a rod between points that coincide has no direction and no row", 
   const double K = double(rod.K(cube1, cube2));
   if (K != 0)  // with either K the impulse is 0
     expect(DistanceFixture::K, "K where the points coincide", K, 5.0 / 6, rounding);
-}
-
-// ---- what the tests know of mistakes ------------------------------------------------------------
-
-TEST_CASE("each usual mistake in the rows of a rod is called by its name") {
-  each_row_is_named<CentreDistanceFixture>();
-  each_row_is_named<DistanceFixture>();
-}
-
-TEST_CASE("each usual mistake of chapter 1 with an impulse is called by its name") {
-  are_sound(row_impulse_table(), row_push_table(), clamp_table());
-  CHECK(misnamed_velocities(row_push_table()) == std::vector<std::string>{});
-}
-
-TEST_CASE("each usual mistake in a step is called by its name") {
-  std::vector<Scene> all = scenes_without_ropes();
-  for (const Scene& scene : rope_scenes()) all.push_back(scene);
-  CaseTable<Scene> table{{"1.4", "the step"}, step_entries(), stepped,
-                         [](const Scene& s) { return walked(s); }, {}, all};
-  table.whole = true;
-  table.tolerance = 10 * rounding;
-  for (const auto& [words, way] : step_mistakes())
-    table.mistakes.push_back({words, [way = way](const Scene& s) { return walked(s, way); }});
-  are_sound(table);
 }

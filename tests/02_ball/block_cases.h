@@ -69,58 +69,6 @@ inline std::vector<real> row_after_row(const mat3& K, real factor = 1) {
   return out;
 }
 
-/// Mistakes that are possible only with a block.
-inline std::vector<Mistake<Call<PerRow(const Lack&)>>> block_mistakes() {
-  using L = const Lack&;
-  const auto with = [](double first, double middle, double last) {
-    return [=](L l) -> PerRow { return -l.over_K(PerRow{first, middle, last} * l.JV + l.b); };
-  };
-  const auto row_by_row = [](int iterations, bool old) {
-    return [=](L l) -> PerRow {
-      PerRow lambda = l.none;
-      for (int n = 0; n < iterations; ++n)
-        for (int i = 0; i < 3; ++i) {
-          const PerRow rest = l.JV + l.b + l.times_K(old ? l.none : lambda);
-          lambda[i] -= rest[i] / double(l.c.K[4 * i]);
-        }
-      return lambda;
-    };
-  };
-  const auto known_rows = [](L l, bool turns) -> PerRow {
-    PerRow out = turns ? l.rates([](Row& r) { r.v1 = r.v2 = vec3(0); }) : l.none;
-    const vec3 apart = l.c.pair.body2.v - l.c.pair.body1.v;
-    for (int i = 0; i < 3; ++i) out[i] += double(apart[i]);
-    return -l.over_K(out + l.b);
-  };
-  const char* const blocks = "#blocks-v-taken-known J V is written out as if J.v1 and J.v2 were "
-                             "-E and E: row_velocity reads all four blocks";
-  const char* const together = "#each-row-own-k each row divided by its own K: the rows of a "
-                               "block are solved together";
-  return {
-      {"#first-rate-left-out J V of the first row is left out: rows are J[0], J[1], J[2]",
-       with(0, 1, 1)},
-      {"#last-rate-left-out J V of the last row is left out: rows are J[0], J[1], J[2]",
-       with(1, 1, 0)},
-      {"only J V of the first row is used: rows are J[0], J[1], J[2]", with(1, 0, 0)},
-      {"#first-rate-all-rows J V of the first row in all three: row i is J[i]",
-       [](L l) -> PerRow { return -l.over_K(l.none + l.JV[0] + l.b); }},
-      {blocks, [=](L l) { return known_rows(l, true); }},
-      {blocks, [=](L l) { return known_rows(l, false); }},
-      {together, row_by_row(1, true)},
-      {"the rows are solved one after the other, once: a block solves them together",
-       row_by_row(1, false)},
-      {"#rows-one-after-other the rows are solved one after the other: a block solves them "
-       "together",
-       row_by_row(20, false)},
-      {"the inverse of K is multiplied number by number: it is a matrix",
-       [](L l) -> PerRow {
-         PerRow out = -(l.JV + l.b);
-         for (int i = 0; i < 3; ++i) out[i] *= double(l.inverse[4 * i]);
-         return out;
-       }},
-  };
-}
-
 inline CaseTable<LackCase> block_impulse_table() {
   const Pair paper{ball_paper1, ball_paper2};
   const Joint3 ball = Joint3::ball(), any = Joint3::any();
@@ -130,18 +78,17 @@ inline CaseTable<LackCase> block_impulse_table() {
   hung.body1 = static_body(hung.body1.x, hung.body1.q);
   CaseTable<LackCase> table = lack_table(
       {"2.3", "the impulse of a block"}, {"lambda.x", "lambda.y", "lambda.z"},
-      [](const LackCase& c) -> PerRow {
-        const Jacobian<3> J{{c.J[0], c.J[1], c.J[2]}};
+      block_impulse, [](auto impulse, const LackCase& c) {
         mat3 K;
-        for (int i = 0; i < 9; ++i) K[i % 3][i / 3] = c.K[i];
-        const vec3 b(real(c.b[0]), real(c.b[1]), real(c.b[2]));
-        const vec3 lambda = block_impulse(J, K, b, c.pair.body1, c.pair.body2);
-        return {double(lambda.x), double(lambda.y), double(lambda.z)};
-      },
-      block_mistakes());
+        for (int i = 0; i < 9; ++i) K[i % 3][i / 3] = c.K[std::size_t(i)];
+        const vec3 lambda =
+            impulse({{c.J[0], c.J[1], c.J[2]}}, K,
+                    vec3(real(c.b[0]), real(c.b[1]), real(c.b[2])), c.pair.body1, c.pair.body2);
+        return Numbers{double(lambda.x), double(lambda.y), double(lambda.z)};
+      });
   const Jacobian<3> J = jacobian_from_blocks(mat3(-1), mat3(0), mat3(1),
                                              -skew(vec3(0, 1, real(0.5))));
-  const PerRow none{0, 0, 0}, bias{0.3, -0.2, 0.5};
+  const Numbers none{0, 0, 0}, bias{0.3, -0.2, 0.5}, tiny{0.3e-9, -0.2e-9, 0.5e-9};
   table.cases = {
       {"Numbers, in the text", {J[0], J[1], J[2]},
        {5, 0, 0, 0, real(0.75), real(-0.5), 0, real(-0.5), real(1.5)}, none, paper},
@@ -150,7 +97,7 @@ inline CaseTable<LackCase> block_impulse_table() {
       {"rows of another joint", any.rows(), row_after_row(any.K()), bias, any.pair},
       {"bodies at rest", light.rows(), row_after_row(light.K()), bias, light.pair},
       {"body 1 is static", any.rows(), row_after_row(any.K()), bias, hung},
-      {"J V + b of nm/s, lambda in 1e-9 N s", light.rows(), row_after_row(light.K()), 1e-9 * bias,
+      {"J V + b of nm/s, lambda in 1e-9 N s", light.rows(), row_after_row(light.K()), tiny,
        light.pair, 1e-9},
       {"heavy bodies, K of 1e-9 / kg, lambda in 1e9 N s", any.rows(),
        row_after_row(any.K(), real(1e-9)), bias, any.pair, 1e9},
@@ -172,15 +119,18 @@ inline CaseTable<PushCase> block_push_table() {
   const Jacobian<3> J = jacobian_from_blocks(mat3(-1), mat3(0), mat3(1),
                                              -skew(vec3(0, 1, real(0.5))));
   const std::vector<real> lambda{real(0.4), real(-0.7), real(0.2)};
+  void (*const push)(const Jacobian<3>&, const vec3&, Body&, Body&) = apply_impulse;
   return push_table(
       {"2.3", "applying the impulse of a block", 2},
-      [](const PushCase& c, Pair& pair) {
-        apply_impulse({{c.J[0], c.J[1], c.J[2]}}, vec3(c.lambda[0], c.lambda[1], c.lambda[2]),
-                      pair.body1, pair.body2);
+      push, [](auto apply, const PushCase& c, Pair& pair) {
+        apply({{c.J[0], c.J[1], c.J[2]}}, vec3(c.lambda[0], c.lambda[1], c.lambda[2]), pair.body1,
+              pair.body2);
       },
       {{"Numbers, in the text", {J[0], J[1], J[2]}, {real(0.2), 0, 0}, {ball_paper1, ball_paper2}},
        {"a ball joint, lambda = (0.4, -0.7, 0.2) N s", ball.rows(), lambda, ball.pair},
        {"rows of another joint, lambda = (0.4, -0.7, 0.2) N s", any.rows(), lambda, any.pair},
+       {"rows of another joint, lambda = (0, -0.7, 0) N s", any.rows(), {0, real(-0.7), 0},
+        any.pair},
        {"rows of another joint, lambda = (-1, -2, -3) N s", any.rows(), {-1, -2, -3}, any.pair},
        {"body 1 is static", any.rows(), lambda, hung},
        {"bodies of a microgram, lambda = (2, 1, 3) 1e-9 N s", any.rows(),

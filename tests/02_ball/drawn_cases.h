@@ -58,7 +58,8 @@ inline Drawn drawn_block_impulse(Draw& d) {
 inline Drawn drawn_block_push(Draw& d) {
   const Draw::Units u = d.units();
   PushCase c{"", {}, {}, d.pair(u)};
-  const vec3 lambda = d.vector(d.size("|lambda|", u.kg * u.m / u.s, "N s"));
+  vec3 lambda = d.vector(d.size("|lambda|", u.kg * u.m / u.s, "N s"));
+  if (d.chance("a component of lambda is 0")) lambda[int(2.99 * d.pick())] = 0;
   d.side("a component of lambda is negative", std::min({lambda.x, lambda.y, lambda.z}) < 0);
   const Jacobian<3> J = drawn_point_rows(d, u);
   for (int i = 0; i < 3; ++i) c.J.push_back(J[i]), c.lambda.push_back(lambda[i]);

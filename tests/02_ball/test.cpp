@@ -5,7 +5,6 @@
 #include "tests/02_ball/drawn_cases.h"
 #include "tests/02_ball/rotation_cases.h"
 #include "tests/checker/fixtures.h"
-#include "tests/checker/named.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -96,15 +95,4 @@ TEST_CASE("2.4 the new orientation has length 1, even if the old one has not", "
 
 TEST_CASE("2.4 a body turns right by any angle, small ones and several turns", "[2.4]") {
   if (!is_float) check_drawn({"2.4", "turning a body"}, drawn_rotation, 1e-9, 400);
-}
-
-// ---- what the tests know of mistakes ------------------------------------------------------------
-
-TEST_CASE("each usual mistake in the rows of a ball joint is called by its name") {
-  each_row_is_named<PointFixture>();
-}
-
-TEST_CASE("each usual mistake of chapter 2 is called by its name") {
-  are_sound(block_impulse_table(), block_push_table(), rotation_table());
-  CHECK(misnamed_velocities(block_push_table()) == std::vector<std::string>{});
 }

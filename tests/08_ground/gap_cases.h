@@ -48,18 +48,7 @@ inline CaseTable<GapCase> gap_table() {
     return Numbers{double(gap(c.corner, c.pair.body1, c.pair.body2))};
   };
   table.tolerance = 10 * rounding;
-  // C is a sum: of two mistakes in different terms both differences are in it
-  table.pairs = [mistakes = table.mistakes, right = table.right] {
-    CaseTable<Case>::Mistakes out;
-    for (std::size_t i = 0; i < mistakes.size(); ++i)
-      for (std::size_t j = i + 1; j < mistakes.size(); ++j) {
-        const auto one = mistakes[i].does, other = mistakes[j].does;
-        out.push_back({mistakes[i].words + "; and " + mistakes[j].words, [=](const Case& c) {
-          return Numbers{one(c)[0] + other(c)[0] - right(c)[0]};
-        }});
-      }
-    return out;
-  };
+  table.in_pairs = true;
   return table;
 }
 

@@ -1,6 +1,8 @@
 #include "tests/checker/cases.h"
 
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <numbers>
 
 #include "checker/report.h"
@@ -257,10 +259,40 @@ std::vector<std::string> AnyTable::likely_of(std::vector<const void*> more,
       out.push_back({words, [&more, of = answer.of](std::size_t c) { return of(more[c]); }});
     return out;
   };
-  CaseNumbers numbers{names(), {}, asked(known()), [&] { return asked(pairs_of()); },
+  CaseNumbers numbers{names(), {}, asked(known()),
+                      [&] { return asked(in_pairs ? two_at_once(more) : pairs_of()); },
                       tolerance, whole, judged};
   for (const void* c : more) numbers.cases.push_back({yours_in(c), right_in(c)});
   return likely_mistakes(numbers, own);
+}
+// Every two of the mistakes. Where both change a number it is 0 if one of them makes it 0, such as
+// a guard does, and a sum with both differences if not.
+std::vector<AnyMistake> AnyTable::two_at_once(const std::vector<const void*>& cases) const {
+  const std::vector<AnyMistake>& mistakes = known();
+  using Kept = std::map<const void*, Numbers>;
+  std::vector<std::shared_ptr<Kept>> of;
+  const auto right = std::make_shared<Kept>();
+  for (const void* c : cases) (*right)[c] = right_in(c);
+  for (const AnyMistake& mistake : mistakes) {
+    of.push_back(std::make_shared<Kept>());
+    for (const void* c : cases) (*of.back())[c] = mistake.does.of(c);
+  }
+  const auto both = [tolerance = tolerance](double a, double b, double right) {
+    if (near(a, right, tolerance)) return b;
+    if (near(b, right, tolerance)) return a;
+    return a == 0 || b == 0 ? 0 : a + b - right;
+  };
+  std::vector<AnyMistake> out;
+  for (std::size_t i = 0; i < mistakes.size(); ++i)
+    for (std::size_t j = i + 1; j < mistakes.size(); ++j)
+      out.push_back({mistakes[i].words + "; and " + mistakes[j].words,
+                     {[=, one = of[i], other = of[j]](const void* c) {
+                       Numbers numbers = right->at(c);
+                       for (std::size_t k = 0; k < numbers.size(); ++k)
+                         numbers[k] = both((*one)[c][k], (*other)[c][k], numbers[k]);
+                       return numbers;
+                     }}});
+  return out;
 }
 // What each number is called, where an entry is a vector, too.
 std::vector<std::string> AnyTable::names() const {

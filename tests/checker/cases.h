@@ -35,6 +35,7 @@ class AnyTable {
   double tolerance = rounding;
   bool whole = false;  ///< reports all numbers of a case, and names only what explains all cases
   bool judged = false;  ///< the mistakes are the known ones, see judge()
+  bool in_pairs = false;  ///< tries every two mistakes together where none of them explains yours
 
   virtual ~AnyTable() = default;
   /// Every case. Fails with a report at the first one that is wrong.
@@ -74,6 +75,7 @@ class AnyTable {
 
  private:
   void check_whole(const void* c, const Numbers& numbers, const Numbers& expected) const;
+  std::vector<AnyMistake> two_at_once(const std::vector<const void*>& cases) const;
   std::vector<std::string> names() const;
 };
 

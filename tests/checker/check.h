@@ -90,7 +90,7 @@ Wrong known_of(const Subject& subject, const Part& part, const Pair& pair, Flat 
   return out;
 }
 
-/// \tparam Fixture may name the part whose function is the exercise, as `Exercise`: its known
+/// \tparam Fixture may name the part whose functions are exercises, as `Exercise`: their known
 /// mistakes are tried. It may have further ones in functions `mistakes(part, pair)` and, of K,
 /// `K_mistakes(part, pair)`
 template <class Fixture>
@@ -109,9 +109,13 @@ Seen seen(const typename Fixture::Part& part) {
   if constexpr (requires { typename Fixture::Exercise; }) {
     using Of = typename Fixture::Exercise;
     using Rows = decltype(part.jacobian(Body{}, Body{}))(const Of&, const Body&, const Body&);
+    using K = decltype(part.K(Body{}, Body{}))(const Of&, const Body&, const Body&);
     out.mistakes = [part](const Pair& at) {
       return known_of<Rows>(Fixture::J, part, at,
                             [](const auto& J) { return flat(to_jacobian(J)); });
+    };
+    out.K_mistakes = [part](const Pair& at) {
+      return known_of<K>(Fixture::K, part, at, [](const auto& K) { return flat(to_matrix(K)); });
     };
   }
   if constexpr (requires(const Pair& at) { Fixture::K_mistakes(part, at); })

@@ -13,12 +13,14 @@
 // wrong body-2-alone: body1.inverse_mass + ==>
 // wrong "a factor of 0.5": body1.inverse_mass + body2.inverse_mass ==> (body1.inverse_mass +
 //         body2.inverse_mass) / 2
-// wrong times-length-rod-n: body1.inverse_mass + body2.inverse_mass ==> (body1.inverse_mass +
-//         body2.inverse_mass) * length
-// wrong not-unit-vector: return body1.inverse_mass + body2.inverse_mass ==> const vec3 u = body2.x
-//         - body1.x; return (body1.inverse_mass + body2.inverse_mass) * dot(u, u)
-// wrong times-error-k-knows: body1.inverse_mass + body2.inverse_mass ==> error(body1, body2) *
-//         (body1.inverse_mass + body2.inverse_mass)
+// mistake "times the length of the rod: n is a unit vector, so K is independent of it":
+//         body1.inverse_mass + body2.inverse_mass ==> (body1.inverse_mass + body2.inverse_mass) *
+//         length
+// mistake "not a unit vector: take direction(...) of the difference": return body1.inverse_mass +
+//         body2.inverse_mass ==> const vec3 u = body2.x - body1.x; return (body1.inverse_mass +
+//         body2.inverse_mass) * dot(u, u)
+// mistake "times the error: K is independent of the error": body1.inverse_mass + body2.inverse_mass
+//         ==> error(body1, body2) * (body1.inverse_mass + body2.inverse_mass)
 // wrong squares-inverse-masses: body1 ==> body1.inverse_mass * body1 ;; inverse_mass; ==>
 //         inverse_mass * body2.inverse_mass;
 // wrong the-larger-one: body1.inverse_mass + body2.inverse_mass ==> glm::max(body1.inverse_mass,
@@ -28,7 +30,8 @@
 // wrong one-between-two-walls: return body1 ==> if (body1.is_static() && body2.is_static()) return
 //         1; return body1
 // wrong never-set: return ==> real k; k += ;; inverse_mass; ==> inverse_mass; return k;
-// wrong always-one: body1.inverse_mass + body2.inverse_mass ==> 1
+// mistake "K is 1 here: it comes from the masses, and nothing bounds it": body1.inverse_mass +
+//         body2.inverse_mass ==> 1
 // wrong cut-int: return body1.inverse_mass + body2.inverse_mass; ==> const int k =
 //         int(body1.inverse_mass + body2.inverse_mass); return real(k);
 // right with the square of a unit vector: return ==> const vec3 n = direction(body2.x - body1.x);

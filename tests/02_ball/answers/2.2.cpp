@@ -62,5 +62,15 @@
                 dot(J[i].w2, inverse_inertia(body2) * J[j].w2);
   return K;
 // wrong units "in K, adding kg m^4 to 1/kg: inertia where its inverse belongs":
-//         inverse_inertia(body1) ==> inverse(inverse_inertia(body1)) ;; inverse_inertia(body2) ==>
+//          inverse_inertia(body1) ==> inverse(inverse_inertia(body1)) ;; inverse_inertia(body2) ==>
 //         inverse(inverse_inertia(body2))
+// mistake "body-space lever: the levers of both bodies are not turned into the world":
+//         to_world(body1, anchor1_local) ==> anchor1_local ;; (to_world(body2, anchor2_local)) ==>
+//         (anchor2_local)
+// mistake "body-space lever: the lever of body 1 is not turned into the world": to_world(body1,
+//         anchor1_local) ==> anchor1_local
+// mistake "body-space lever: the lever of body 2 is not turned into the world": (to_world(body2,
+//         anchor2_local)) ==> (anchor2_local)
+// mistake "the levers are turned twice: to_world has turned them already": to_world(body1,
+//         anchor1_local) ==> to_world(body1, to_world(body1, anchor1_local)) ;; (to_world(body2,
+//         anchor2_local)) ==> (to_world(body2, to_world(body2, anchor2_local)))

@@ -10,7 +10,8 @@ namespace joints {
 Vector<2> Line::error(const Body& body1, const Body& body2) const {
   const vec3 u = world_point(body2, anchor2_local) - world_point(body1, anchor1_local);
   // begin [exercise 4.1]
-  // Return the two numbers C of Eq. 4-2, made of u above and the two directions in world space.
+  // Return the two numbers C of Eq. 4-2, made of u above and the two directions in world space. In
+  // the axes of body 1 they are n1_local and n2_local.
   return {dot(u, to_world(body1, n1_local)), dot(u, to_world(body1, n2_local))};  // Eq. 4-2
   // end [exercise 4.1]
 }
@@ -36,7 +37,8 @@ Matrix<2> Line::K(const Body& body1, const Body& body2) const {
 
 vec3 RotationLock::error(const Body& body1, const Body& body2) const {
   // begin [exercise 4.2]
-  // Return C of Eq. 4-7: twice the vector part of the excess rotation, with the sign rule.
+  // Return C of Eq. 4-7: twice the vector part of the excess rotation, with the sign rule. The
+  // member `start` is q_start.
   quat q = body2.q * conjugate(start) * conjugate(body1.q);
   if (q.w < 0) q = -q;
   return real(2) * vec3(q.x, q.y, q.z);  // Eq. 4-7
@@ -65,7 +67,7 @@ RotationLock lock_of(const Body& body1, const Body& body2) {
 real Slide::error(const Body& body1, const Body& body2) const {
   const vec3 u = world_point(body2, anchor2_local) - world_point(body1, anchor1_local);
   // begin [exercise 4.3]
-  // Return the displacement of Eq. 4-10.
+  // Return the displacement of Eq. 4-10. In the axes of body 1 the line runs along a1_local.
   return dot(u, to_world(body1, a1_local));  // Eq. 4-10
   // end [exercise 4.3]
 }

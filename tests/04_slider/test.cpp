@@ -4,7 +4,6 @@
 #include "tests/04_slider/line_cases.h"
 #include "tests/04_slider/lock_cases.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/named.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -147,10 +146,4 @@ TEST_CASE("4.3 the row of the displacement has its levers at any distance", "[4.
 
 TEST_CASE("4.3 a displacement is right at any distance", "[4.3]") {
   check_drawn({"4.3", "the displacement"}, drawn_slide, is_float ? 1e-3 : 1e-9, 300);
-}
-
-// ---- what the tests know of mistakes ------------------------------------------------------------
-
-TEST_CASE("each usual mistake of chapter 4 is called by its name") {
-  are_sound(line_table(), lock_table(), slide_table());
 }

@@ -7,8 +7,6 @@
 
 namespace joints::testing {
 
-inline const char* const told_ones_everywhere =
-    "#ones-everywhere E has ones on its diagonal alone: mat3(1)";
 // ---- chapter 3 ----------------------------------------------------------------------------------
 
 struct AxisFixture {
@@ -52,63 +50,9 @@ inline Line line_along(const Pair& pair, const vec3& anchor, const vec3& along) 
           axis.b_local, axis.c_local};
 }
 
-// What may go wrong with the rows of points that slide along n, which rides on body 1.
-template <int N>
-std::vector<std::pair<std::string, Jacobian<N>>> wrong_levers(
-    const Pair& pair, const vec3& anchor1_local, const vec3& anchor2_local,
-    const std::array<vec3, N>& local, const std::string& name) {
-  const vec3 r1 = to_world(pair.body1, anchor1_local), r2 = to_world(pair.body2, anchor2_local);
-  const vec3 p1 = pair.body1.x + r1, p2 = pair.body2.x + r2, u = p2 - p1;
-  const vec3 d = pair.body2.x - pair.body1.x;
-  std::array<vec3, N> n, on2;
-  for (int i = 0; i < N; ++i) {
-    n[i] = to_world(pair.body1, local[i]);
-    on2[i] = to_world(pair.body2, local[i]);
-  }
-  std::vector<std::pair<std::string, Jacobian<N>>> out;
-  const auto add = [&](const std::string& words, const std::array<vec3, N>& along, const vec3& arm1,
-                       const vec3& arm2, real sign = 1) {
-    Jacobian<N> J;
-    for (int i = 0; i < N; ++i) J[i] = row_by_rates(sign * along[i], arm1, arm2);
-    out.push_back({words, J});
-  };
-  const std::string rides = name + " rides on body 1", is = "the lever of body 1 is r1 + u";
-  add("u is forgotten, " + is + ", because " + rides, n, r1, r2);
-  add("r1 is forgotten, " + is, n, u, r2);
-  for (real sign : {1, -1}) {
-    add("the sign of u or of r1, " + is, n, sign * (r1 - u), r2);
-    add("u belongs to the lever of body 1: " + rides, n, r1, r2 + sign * u);
-    add("#u-in-both u belongs to the lever of body 1 alone", n, r1 + u, r2 + sign * u);
-  }
-  add("#levers-exchanged the levers r1 and r2 are exchanged", n, r2 + u, r1);
-  add("#doubled-u u belongs to the lever of body 1 once", n, r1 + real(2) * u, r2);
-  add("u belongs to the lever of body 1, all of it: " + rides, n, r1 + u / real(2),
-      r2 - u / real(2));
-  add("#lever-length-1 a lever has its length: it is no unit vector",
-      n, direction(r1 + u), direction(r2));
-  add("#r1-plain-place-r2 the lever of body 2 is r2, not r1", n, r1 + u, r1);
-  add("#r2-for-r1 the lever of body 1 is r1 + u, not r2 + u", n, r2 + u, r2);
-  std::array<vec3, N> gaps;
-  gaps.fill(normalize(u));
-  for (const vec3& arm1 : {r1 + u, r1})
-    add("the unit vector along u in the place of " + name + ": the row runs along " + name, gaps,
-        arm1, r2);
-  const std::string centres = "#centres-place-anchors-u centres in place of anchors: u is p2 - p1";
-  for (const vec3& arm1 : {r1 + d, d}) add(centres, n, arm1, r2);
-  for (const vec3& arm1 : {p1, p2})
-    for (const vec3& arm2 : {r2, p2}) add("a point where a lever belongs: " + is, n, arm1, arm2);
-  for (const vec3& arm1 : {r1 + u, r1}) {
-    add(name + " is turned with body 2 here, but " + rides, on2, arm1, r2);
-    add(name + " is left in body space: turn it into the world with body 1", local, arm1, r2);
-  }
-  const std::string bare = "levers are missing: such a row drives the centres, not the points";
-  add(bare, n, vec3(0), vec3(0));
-  add(bare + ", and its sign is wrong as well", n, vec3(0), vec3(0), -1);
-  return out;
-}
-
 struct LineFixture {
   using Part = Line;
+  using Exercise = Line;
   static constexpr Subject J{"4.1", "the rows J of a line", 2};
   static constexpr Subject K{"", "K of a line"};
   static constexpr std::array rows{"C.1", "C.2"};
@@ -122,15 +66,11 @@ struct LineFixture {
     pair.body2.x += random.uniform(-2, 2) * along;
     turn_about(pair.body2, world_point(pair.body2, part.anchor2_local), random.turn());
   }
-  static std::vector<std::pair<std::string, Jacobian<2>>> mistakes(const Part& part,
-                                                                   const Pair& pair) {
-    return wrong_levers<2>(pair, part.anchor1_local, part.anchor2_local,
-                           {part.n1_local, part.n2_local}, "n");
-  }
 };
 
 struct RotationLockFixture {
   using Part = RotationLock;
+  using Exercise = RotationLock;
   static constexpr Subject J{"4.2", "the rows J of a lock", 2};
   static constexpr Subject K{"", "K of a lock"};
   static constexpr std::array rows{"C.x", "C.y", "C.z"};
@@ -142,27 +82,11 @@ struct RotationLockFixture {
     pair.body1.q = normalize(turn * pair.body1.q);
     pair.body2.q = normalize(turn * pair.body2.q);
   }
-  static std::vector<std::pair<std::string, Jacobian<3>>> mistakes(const Part&, const Pair& pair) {
-    const mat3 R1 = glm::mat3_cast(pair.body1.q), R2 = glm::mat3_cast(pair.body2.q);
-    const mat3 ones(1, 1, 1, 1, 1, 1, 1, 1, 1);
-    const auto turning = [](const mat3& one, const mat3& two) {
-      return jacobian_from_blocks(mat3(0), -one, mat3(0), two);
-    };
-    const char* const axes = "the rows are in the axes of a body: C, w1 and w2 are in the world";
-    return {{axes, turning(transpose(R1), transpose(R1))}, {axes, turning(R1, R1)},
-            {axes, turning(transpose(R2), transpose(R2))}, {axes, turning(R2, R2)},
-            {axes, turning(transpose(R1), transpose(R2))}, {axes, turning(R1, R2)},
-            {told_ones_everywhere, turning(ones, ones)},
-            {told_ones_everywhere, turning(mat3(1), ones)},
-            {"a lock turns and does not push: E belongs to w1 and w2, not to v1 and v2",
-             jacobian_from_blocks(mat3(-1), mat3(0), mat3(1), mat3(0))},
-            {"#sign-body-1 w1 and w2 with the same sign: C grows with w2 - w1",
-             turning(mat3(-1), mat3(1))}};
-  }
 };
 
 struct SlideFixture {
   using Part = Slide;
+  using Exercise = Slide;
   static constexpr Subject J{"4.3", "the row J of a displacement", 2};
   static constexpr Subject K{"", "K of a displacement"};
   static constexpr std::array rows{"C"};
@@ -175,10 +99,6 @@ struct SlideFixture {
     const vec3 a = to_world(pair.body1, part.a1_local), across = random.vector(1);
     pair.body2.x += across - dot(across, a) * a;
     turn_about(pair.body2, world_point(pair.body2, part.anchor2_local), random.turn());
-  }
-  static std::vector<std::pair<std::string, Jacobian<1>>> mistakes(const Part& part,
-                                                                   const Pair& pair) {
-    return wrong_levers<1>(pair, part.anchor1_local, part.anchor2_local, {part.a1_local}, "a");
   }
 };
 

@@ -7,7 +7,6 @@
 #include "tests/10_own/part_cases.h"
 #include "tests/10_own/screw_cases.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/named.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -189,18 +188,5 @@ TEST_CASE("10.5 the checker finds the rows of a part right wherever it is made",
         },
         {.seed = 10 * draw});
     testing::check(own_subject, report.good() ? "" : report.text());
-  }
-}
-
-// ---- what the tests know of mistakes ------------------------------------------------------------
-
-TEST_CASE("each usual mistake of chapter 10 is called by its name") {
-  are_sound(right_angle_table(), gear_table(), count_table(), screw_table(), cone_table(),
-            upright_table());
-  if constexpr (!is_float) {
-    each_row_is_named<RightAngleFixture>();
-    each_row_is_named<GearFixture>();
-    each_row_is_named<ScrewFixture>();
-    each_row_is_named<ConeFixture>();
   }
 }

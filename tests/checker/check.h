@@ -109,11 +109,14 @@ Seen seen(const typename Fixture::Part& part) {
   if constexpr (requires { typename Fixture::Exercise; }) {
     using Of = typename Fixture::Exercise;
     using Rows = decltype(part.jacobian(Body{}, Body{}))(const Of&, const Body&, const Body&);
-    using K = decltype(part.K(Body{}, Body{}))(const Of&, const Body&, const Body&);
     out.mistakes = [part](const Pair& at) {
       return known_of<Rows>(Fixture::J, part, at,
                             [](const auto& J) { return flat(to_jacobian(J)); });
     };
+  }
+  if constexpr (requires { typename Fixture::Exercise; Fixture::K; }) {
+    using Of = typename Fixture::Exercise;
+    using K = decltype(part.K(Body{}, Body{}))(const Of&, const Body&, const Body&);
     out.K_mistakes = [part](const Pair& at) {
       return known_of<K>(Fixture::K, part, at, [](const auto& K) { return flat(to_matrix(K)); });
     };

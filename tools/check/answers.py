@@ -277,15 +277,18 @@ def around(lines, region):
 
 def of_member(before):
     """A member function as one of a struct that is derived from its own: the declaration, the lines
-    with this name, a plain function that is given the part first, and what that is called."""
-    head = re.match(r"(.*?) (\w+)::(\w+)\((.*?)\) const \{", " ".join(before))
+    with this name, a plain function that is given the part first, and what that is called. One that
+    changes its part returns it."""
+    head = re.match(r"(.*?) (\w+)::(\w+)\((.*?)\)( const)? \{", " ".join(before))
     if not head:
         return [], before, [], re.search(r"(\w+)\(", " ".join(before))[1]
-    result, part, name, parameters = head.groups()
+    result, part, name, parameters, const = head.groups()
     names = ", ".join(re.findall(r"(\w+)(?:,|$)", parameters))
-    declared = [f"struct Mistaken : {part} {{ {result} {name}({parameters}) const; }};"]
+    declared = [f"struct Mistaken : {part} {{ {result} {name}({parameters}){const or ''}; }};"]
     called = [f"{result} does(const {part}& part, {parameters}) {{ "
-              f"return Mistaken{{part}}.{name}({names}); }}"]
+              f"return Mistaken{{part}}.{name}({names}); }}"] if const else \
+             [f"{part} does(const {part}& part, {parameters}) {{ "
+              f"Mistaken one{{part}}; one.{name}({names}); return one; }}"]
     return declared, [line.replace(f"{part}::", "Mistaken::", 1) for line in before], called, "does"
 
 

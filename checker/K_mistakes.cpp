@@ -78,7 +78,7 @@ Wrong wrong_masses(const Rows& J, const Pair& pair) {
   add("#without-transpose the sign of the rotation's term: it is added (skew(r) I^-1 skew(r) lacks "
       "a transpose)",
       {m1, -I1}, {m2, -I2});
-  add("#minus-body-1 the sign of body 1's terms: the terms of both bodies are added",
+  add("the sign of body 1's terms: the terms of both bodies are added",
       {-m1, -I1}, two);
   add("#inverse-masses-subtracted the sign of body 2's terms: the terms of both bodies are added",
       one, {-m2, -I2});
@@ -88,11 +88,11 @@ Wrong wrong_masses(const Rows& J, const Pair& pair) {
   add("the sign of body 2's inverse mass: all terms are added", one, {-m2, I2});
   add("#inertias-exchanged the lever of one body with the inertia of the other",
       {m1, I2}, {m2, I1});
-  add("#inertia-body-1-both the inertia of body 1 for both bodies: each has its own",
+  add("the inertia of body 1 for both bodies: each has its own",
       one, {m2, I1});
   add("the inertia of body 2 for both bodies: each has its own", {m1, I2}, two);
   add("#body-1-twice the inverse mass of body 1 for both bodies: each has its own", one, {m1, I2});
-  add("#mass-body-2-both the inverse mass of body 2 for both bodies: each has its own",
+  add("the inverse mass of body 2 for both bodies: each has its own",
       {m2, I1}, two);
   add("#rotation-body-1-twice the rotation of body 1 is counted twice, that of body 2 not",
       {m1, real(2) * I1},

@@ -136,7 +136,7 @@ std::string shown(const CaseNumbers& all, const Columns& columns) {
     return "#cut-int the fraction is cut off: an int holds whole numbers only";
   if (fits([](double a) { return 1 / a; })) return "one over the right number";
   const double degrees = 180 / std::numbers::pi;
-  if (fits([=](double a) { return degrees * a; })) return "#degrees degrees where radians belong";
+  if (fits([=](double a) { return degrees * a; })) return "degrees where radians belong";
   if (fits([=](double a) { return a / degrees; }))
     return "a factor of pi/180: the angles are in radians already";
   return "";

@@ -3,6 +3,7 @@
 //
 //   struct PointFixture {
 //     using Part = Point;
+//     using Exercise = Point;                               // its functions are exercises
 //     static constexpr Subject J{"2.1", "J of the ball joint"}, K{"2.2", "K of the ball joint"};
 //     static constexpr std::array rows{"C.x", "C.y", "C.z"};
 //     static constexpr bool exact_when_broken = true;       // is J exact where C is not 0?
@@ -91,8 +92,7 @@ Wrong known_of(const Subject& subject, const Part& part, const Pair& pair, Flat 
 }
 
 /// \tparam Fixture may name the part whose functions are exercises, as `Exercise`: their known
-/// mistakes are tried. It may have further ones in functions `mistakes(part, pair)` and, of K,
-/// `K_mistakes(part, pair)`
+/// mistakes are tried. It may have others in a function `mistakes(part, pair)`
 template <class Fixture>
 Seen seen(const typename Fixture::Part& part) {
   Seen out;
@@ -121,13 +121,6 @@ Seen seen(const typename Fixture::Part& part) {
       return known_of<K>(Fixture::K, part, at, [](const auto& K) { return flat(to_matrix(K)); });
     };
   }
-  if constexpr (requires(const Pair& at) { Fixture::K_mistakes(part, at); })
-    out.K_mistakes = [part](const Pair& at) {
-      Wrong wrong;
-      for (const auto& [words, K] : Fixture::K_mistakes(part, at))
-        wrong.push_back({words, flat(to_matrix(K))});
-      return wrong;
-    };
   if constexpr (requires { Fixture::broken; }) out.broken = Fixture::broken;
   return out;
 }

@@ -33,31 +33,4 @@ void are_sound(const CaseTable<Case>&... tables) {
   (none_is_blamed(tables), ...);
 }
 
-// A fixture whose part has the rows of one of its mistakes.
-template <class Fixture>
-struct Mistaken : Fixture {
-  struct Part : Fixture::Part {
-    int which = 0;
-    auto jacobian(const Body& body1, const Body& body2) const {
-      return Fixture::mistakes(*this, {body1, body2})[which].second;
-    }
-  };
-  static inline int which = 0;
-  static Part make(const Pair& pair) { return {Fixture::make(pair), which}; }
-};
-template <class Fixture>
-void each_row_is_named() {
-  const Pair pair = uneven_pair();
-  const int count = int(Fixture::mistakes(Fixture::make(pair), pair).size());
-  for (int i = 0; i < count; ++i) {
-    Mistaken<Fixture>::which = i;
-    const std::string words = Fixture::mistakes(Fixture::make(pair), pair)[i].first;
-    const std::string report =
-        jacobian_report(row_names<Fixture>(), jacobian_samples<Mistaken<Fixture>>(),
-                        difference_tolerance);
-    INFO(words << "\n" << report);
-    CHECK(report.find("Likely mistake: " + words) != report.npos);
-  }
-}
-
 }  // namespace joints::testing

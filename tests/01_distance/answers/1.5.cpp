@@ -24,6 +24,8 @@
 // mistake "a small dlambda is left out: a light body needs only a small one": const ==> if
 //         (std::abs(dlambda) < real(1e-6)) return 0; const
 // wrong never-set: const real before = sum ==> real before
+// mistake "the fraction is cut off: an int holds whole numbers only": glm::max(before + dlambda,
+//         real(0)) ==> int(glm::max(before + dlambda, real(0)))
 // mistake "the fraction is cut off: an int holds whole numbers only": real before ==> int before
 // right with an if:
   // The same in two cases: all of dlambda, or as much as was there.

@@ -175,6 +175,15 @@
 // mistake "the sign of body 1's term: both terms have the minus, skew(r1) meets -E of the lock; and
 //         r2: turned with the other body: each anchor rides on its own": body2 ==> body1 ;; skew
 //         ==> -skew
+// mistake "one moment stands for all three axes: that is right for a ball alone":
+//         inverse_inertia(body1) ==> body1.inverse_inertia_local.x ;; inverse_inertia(body2) ==>
+//         body2.inverse_inertia_local.x
+// mistake "one moment stands for all three axes: that is right for a ball alone":
+//         inverse_inertia(body1) ==> body1.inverse_inertia_local.y ;; inverse_inertia(body2) ==>
+//         body2.inverse_inertia_local.y
+// mistake "one moment stands for all three axes: that is right for a ball alone":
+//         inverse_inertia(body1) ==> body1.inverse_inertia_local.z ;; inverse_inertia(body2) ==>
+//         body2.inverse_inertia_local.z
 // wrong drawn-threshold: return ==> if (length(r1) < real(1e-4)) return -(skew(r2) *
 //         inverse_inertia(body2)); return
 // wrong "a factor of 2 in all of it, in every case": return - ==> return real(-2) *

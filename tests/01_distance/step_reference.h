@@ -78,12 +78,13 @@ inline std::vector<Body> walk(const Scene& scene, const Order& order) {
       rows.push_back(reference_row(links[k], bodies, s));
     for (int n = 0; n < s.iterations; ++n)
       for (const int k : order(int(links.size()), n)) {
+        const Link& link = links[std::size_t(k)];
         LinkRow& row = rows[std::size_t(k)];
-        Body &one = bodies[links[k].body1], &two = bodies[links[k].body2];
+        Body &one = bodies[link.body1], &two = bodies[link.body2];
         real inverse = row.K;
         invert_symmetric(&inverse, 1);  // of 0 it is 0
         real lambda = -inverse * (row.bias + row_velocity(row.J, one, two));
-        if (links[k].rope) {  // what would push is refused
+        if (link.rope) {  // what would push is refused
           const real whole = row.sum + lambda, refused = (std::abs(whole) - whole) / 2;
           row.sum = whole + refused;
           lambda += refused;

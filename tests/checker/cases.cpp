@@ -223,6 +223,56 @@ void AnyTable::check_whole(const void* c, const Numbers& numbers, const Numbers&
   expect(about, words_of(c), entries_in(c), numbers, expected, tolerance,
          right_here ? std::vector<std::string>{} : likely_of({c}));
 }
+// One number after another, with the poses at which the table holds.
+void AnyTable::check_numbers_in(const void* c, const Numbers& expected, const char* beside,
+                                const std::string& more) const {
+  const Numbers yours = yours_in(c);
+  if (close(yours, expected, tolerance)) return testing::check(subject, "");
+  Table numbers(beside);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    if (!near(yours[i], expected[i], tolerance))
+      numbers.entry(entries[i], yours[i], expected[i], tolerance);
+  const std::vector<std::string> mistakes = likely_of({c});
+  std::string words = no_number(yours);
+  if (words.empty() && !mistakes.empty()) words = mistakes.front();
+  fail(subject, "Pose: " + words_of(c) + ".\n\n" + numbers.words() + more + "\n" +
+                    where_it_holds() +
+                    (words.empty() ? "None of the usual mistakes explains it: compare it with the "
+                                     "equation, entry by entry.\n"
+                                   : testing::likely(words)));
+}
+void AnyTable::check_all_numbers() const {
+  for (const void* c : all()) check_numbers_in(c, right_in(c), "numeric ", "");
+}
+// At which poses the numbers are wrong, and at which others all are right.
+std::string AnyTable::where_it_holds() const {
+  std::vector<std::string> fails, holds;
+  const auto add = [](std::vector<std::string>& names, const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  for (const void* c : all())
+    add(close(yours_in(c), right_in(c), tolerance) ? holds : fails, words_of(c));
+  std::erase_if(holds, [&](const std::string& pose) {
+    return std::find(fails.begin(), fails.end(), pose) != fails.end();
+  });
+  return fails.empty()   ? "Holds at all other poses.\n"
+         : holds.empty() ? "Fails at " + joined(fails) + ".\n"
+                         : "Fails at " + joined(fails) + "; holds at " + joined(holds) + ".\n";
+}
+void AnyTable::check_vectors_in(const void* c, const Numbers& expected, double closely) const {
+  const Numbers numbers = yours_in(c);
+  std::vector<std::string> likely;
+  if (!close(numbers, expected, closely)) likely = likely_of({c});
+  const std::string arguments = given_of(c);
+  Subject about = subject;
+  about.given = arguments.c_str();
+  for (std::size_t k = 0; k < entries.size(); ++k)
+    expect(about, entries[k] + " (" + words_of(c) + ")", vector_at(numbers, k),
+           vector_at(expected, k), closely, before(likely, vector_at(numbers, k), {}));
+}
+void AnyTable::check_all_vectors() const {
+  for (const void* c : all()) check_vectors_in(c, right_in(c), tolerance);
+}
 std::string AnyTable::holds_in() const {
   std::vector<std::string> right_ones;
   const auto cases = all();

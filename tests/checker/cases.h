@@ -40,6 +40,9 @@ class AnyTable {
   virtual ~AnyTable() = default;
   /// Every case. Fails with a report at the first one that is wrong.
   void check() const;
+  /// Every case as check_numbers() and check_vectors() do, see pose_cases.h and vector_cases.h.
+  void check_all_numbers() const;
+  void check_all_vectors() const;
   /// "Holds in 3 of 9 cases, such as X.", for the report.
   std::string holds_in() const;
   /// Is yours right in every case?
@@ -59,6 +62,9 @@ class AnyTable {
   AnyTable& operator=(const AnyTable&) = default;
 
   void check_one(const void* c, const Numbers& expected) const;
+  void check_numbers_in(const void* c, const Numbers& expected, const char* beside,
+                        const std::string& more) const;
+  void check_vectors_in(const void* c, const Numbers& expected, double close) const;
   std::vector<std::string> likely_of(std::vector<const void*> more,
                                      const std::vector<std::size_t>& own = {}) const;
   bool same(const Numbers& a, const Numbers& b) const { return same_numbers(a, b, tolerance); }
@@ -77,6 +83,7 @@ class AnyTable {
   void check_whole(const void* c, const Numbers& numbers, const Numbers& expected) const;
   std::vector<AnyMistake> two_at_once(const std::vector<const void*>& cases) const;
   std::vector<std::string> names() const;
+  std::string where_it_holds() const;
 };
 
 /// \tparam Case the arguments, and in `words` what the report calls them
@@ -121,6 +128,13 @@ class CaseTable : public AnyTable {
   using AnyTable::check;
   /// One case against numbers worked out by hand. Three numbers an entry are a vector.
   void check(const Case& c, const Numbers& expected) const { check_one(&c, expected); }
+  void check_numbers(const Case& c, const Numbers& expected, const char* beside,
+                     const std::string& more) const {
+    check_numbers_in(&c, expected, beside, more);
+  }
+  void check_vectors(const Case& c, const Numbers& expected, double close) const {
+    check_vectors_in(&c, expected, close);
+  }
   using AnyTable::likely;
   /// \param c a further case
   std::vector<std::string> likely(const Case& c) const { return likely_of({&c}); }

@@ -46,26 +46,9 @@ Drawn drawn_K(Draw& d, const Matrix<N>& yours, const Jacobian<N>& J, const Pair&
 template <class Case>
 void check_vectors(const CaseTable<Case>& table, const Case& c, const Numbers& expected,
                    double tolerance) {
-  const Numbers numbers = table.yours(c);
-  const auto at = [](const Numbers& a, std::size_t k) {
-    return vec3(real(a[3 * k]), real(a[3 * k + 1]), real(a[3 * k + 2]));
-  };
-  std::vector<std::string> likely;
-  if (!close(numbers, expected, tolerance)) likely = table.likely({c});
-  const std::string arguments = table.given ? table.given(c) : "";
-  Subject about = table.subject;
-  about.given = arguments.c_str();
-  for (std::size_t k = 0; k < table.entries.size(); ++k) {
-    std::vector<VectorSuspect> suspects;
-    for (const std::string& words : likely) suspects.push_back({at(numbers, k), words});
-    expect(about, table.entries[k] + " (" + c.words + ")", at(numbers, k),
-           at(expected, k), tolerance, suspects);
-  }
+  table.check_vectors(c, expected, tolerance);
 }
-template <class Case>
-void check_vectors(const CaseTable<Case>& table) {
-  for (const Case& c : table.cases) check_vectors(table, c, table.right(c), table.tolerance);
-}
+inline void check_vectors(const AnyTable& table) { table.check_all_vectors(); }
 
 /// For a test of another kind: whatever vector it finds wrong, the table's mistake explains it.
 template <class Case>

@@ -118,8 +118,21 @@
 //         ==> cross(anchor2_local, n)
 // mistake "body-space lever: in w1 and w2 the levers are not turned into the world": cross(r1, n)
 //         ==> cross(anchor1_local, n) ;; cross(r2, n) ==> cross(anchor2_local, n)
+// wrong "right only where body 1 is not turned: something of it is left in the body's axes, or is
+//         turned twice": -cross(r1, n) ==> -cross(r1, to_local(body1, n))
 
 // region 2
+// wrong "only the diagonal of the world inertia is used: it has nine entries": const vec3 r1 ==>
+//         const auto diagonal = [](const Body& body) { const mat3 I = inverse_inertia(body); return
+//         mat3(I[0][0], 0, 0, 0, I[1][1], 0, 0, 0, I[2][2]); }; const vec3 r1 ;;
+//         inverse_inertia(body1) * a1 ==> diagonal(body1) * a1 ;; inverse_inertia(body2) * a2 ==>
+//         diagonal(body2) * a2
+// wrong "the rotation's terms are halved: each stands once in K": + dot(a1, ==> + real(0.5) *
+//         dot(a1, ;; dot(a2, ==> real(0.5) * dot(a2,
+// wrong "the rotation's terms are doubled: each stands once in K": + dot(a1, ==> + 2 * dot(a1, ;;
+//         dot(a2, ==> 2 * dot(a2,
+// wrong "the cross product in w1 is turned into the axes of body 1: J is in world axes":
+//         a1 = cross(r1, n) ==> a1 = to_local(body1, cross(r1, n))
 // right K from the row fresh:
   const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
   const vec3 n = direction(body2.x + r2 - body1.x - r1);

@@ -43,6 +43,12 @@
 // wrong without-inertia: * inverse_inertia(body1) ==> ;; inverse_inertia(body2) * ==>
 // wrong mass-for-inertia: inverse_inertia(body1) ==> mat3(body1.inverse_mass) ;;
 //         inverse_inertia(body2) ==> mat3(body2.inverse_mass)
+// wrong "the world inertia is turned once more: inverse_inertia(body) is in world axes already":
+//         const mat3 ==> const auto again = [](const Body& body) { const mat3 R =
+//         mat3_cast(body.q); return R * inverse_inertia(body) * transpose(R); }; const mat3 ;; *
+//         inverse_inertia(body1) ==> * again(body1) ;; * inverse_inertia(body2) ==> * again(body2)
+// wrong "the rotation's terms are halved: each stands once in K": + s1 * ==> + real(0.5) * s1 * ;;
+//         s2 * ==> real(0.5) * s2 *
 // wrong one-moment: inverse_inertia(body1) ==> body1.inverse_inertia_local.x ;;
 //         inverse_inertia(body2) ==> body2.inverse_inertia_local.x
 // wrong unit-matrix-between-walls: return mat3 ==> if (body1.is_static() && body2.is_static())

@@ -141,6 +141,13 @@ inline CaseTable<Scene> table_of(const Subject& subject, const std::vector<Scene
   table.whole = true;
   table.tolerance = 10 * rounding;
   if (table.holds()) return table;
+  for (const int n : {2, 5, 6, 8, 10, 12, 15, 16, 20, 25, 30, 32, 40, 50, 60, 64, 100, 200})
+    table.mistakes.push_back({"a fixed number of iterations, " + std::to_string(n) +
+                                  ": take settings.iterations",
+                              [=](Scene s) {
+                                s.settings.iterations = n;
+                                return walked(s, right);
+                              }});
   // the links from last to first
   const auto backward = [](Scene scene) {
     std::reverse(scene.links.begin(), scene.links.end());

@@ -31,7 +31,7 @@ UNDEFINED = ("7.3 wrong: the program crashed", "7.3 wrong: four-spare-colours",
 DRAWN = "cases drawn with seed"
 # In a drawn case at the threshold itself a rounding error decides: the two libraries' arc cosine,
 # or power of ten.
-AT_THRESHOLD = ("3.3 wrong: asin-of-p", "9.7 wrong: threshold-rate")
+AT_THRESHOLD = ("3.3 mistake: the sine alone", "9.7 wrong: threshold-rate")
 
 
 def chosen():

@@ -1,0 +1,73 @@
+// Trees of joints in reduced coordinates. Given, there is nothing to edit here.
+#pragma once
+
+#include "reduced/tree.h"
+
+/// \addtogroup reduced
+/// @{
+namespace joints {
+
+/// Moves a world whose joints form trees, with one number per degree of freedom instead of rows: a
+/// hinge has an angle, a slider a displacement, a ball joint an orientation. So no joint can ever
+/// open, and a step takes time in proportion to the number of bodies.
+///
+///     Reduced tree(world);
+///     tree.step(world, h);
+///
+/// It accepts hinges, sliders, ball and fixed joints, universal joints, and joints with six degrees
+/// of freedom as far as each of them is free or locked; with motors, servos, friction, limits and
+/// springs on the coordinates of hinges and sliders. Each tree hangs on a static or kinematic body,
+/// or floats freely. Loops, soft joints and all other joints are rejected: use DirectSolver for
+/// them. Bodies, joints and settings may be changed between steps, as with rows.
+///
+/// It never allocates in a step after the first, unless bodies or joints were added or removed.
+/// Sources: Featherstone, "Rigid Body Dynamics Algorithms", 2008, chapters 7 and 9.
+class Reduced {
+ public:
+  /// How time advances.
+  enum class Method : char {
+    leapfrog,    ///< second order and symmetric: the energy does not drift
+    runge_kutta  ///< order 4; rejects motors, servos, friction, limits and bounded springs
+  };
+  Method method = Method::leapfrog;  ///< how time advances
+  /// Iterations for the velocity-dependent forces of a step by leapfrog, from 1 to 100. Each one
+  /// makes their error smaller by about h times the angular velocity.
+  int iterations = 2;
+
+  /// Recognises the trees of a world. \param most_gap greatest error of a joint in the present
+  /// poses: of its angles [rad], and of its anchors as a fraction of their levers [1]. The first
+  /// step removes it.
+  /// \throws std::invalid_argument naming the joint, if it closes a loop, if it is of another kind,
+  /// or if its error is larger
+  explicit Reduced(const World& world, real most_gap = real(1e-3));
+
+  /// Advances the world by one step. \param h [s] \throws std::invalid_argument as the constructor,
+  /// or for an h that is not positive and finite; nothing has changed then
+  /// \throws std::overflow_error if a number of a body has overflowed
+  void step(World& world, real h);
+
+  /// The number of degrees of freedom of all trees.
+  int degrees_of_freedom() const;
+  /// The number of trees; a body without joints is one, too.
+  int trees() const { return int(trees_.size()); }
+  /// The acceleration of a body.
+  struct Acceleration {
+    vec3 v{0};  ///< of its centre [m/s^2]
+    vec3 w{0};  ///< angular [rad/s^2]
+  };
+  /// The accelerations of all bodies, by slot, at their present poses and velocities. Only springs
+  /// act on the coordinates. \throws std::invalid_argument as step()
+  std::vector<Acceleration> accelerations(const World& world);
+
+ private:
+  void build(const World& world);
+  void refresh(const World& world);
+  std::vector<Tree> trees_;
+  real most_gap_ = 0;
+  std::size_t joint_count_ = 0;
+  std::uint64_t last_joint_ = 0;
+  int bodies_ = 0;  // used slots
+};
+
+}  // namespace joints
+/// @}

@@ -1,0 +1,391 @@
+// The steps of a tree: leapfrog in the coordinates, and a Runge-Kutta method.
+#include "reduced/tree.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace joints {
+
+namespace {
+
+bool is_scalar(const TreeLink& link) {
+  return link.freedom == Freedom::hinge || link.freedom == Freedom::slider;
+}
+// The orientation is a coordinate.
+bool has_orientation(const TreeLink& link) {
+  return link.freedom == Freedom::ball || link.freedom == Freedom::free;
+}
+quat rate_of(const quat& q, const vec3& w) { return real(0.5) * (quat(0, w.x, w.y, w.z) * q); }
+
+void move_freely(TreeLink& root, real h) {
+  root.centre += h * root.v;
+  if (root.w != vec3(0)) root.q = normalize(rotation(h * root.w) * root.q);
+}
+
+}  // namespace
+
+// ---- the recursion ------------------------------------------------------------------------------
+
+void Tree::place_all() {
+  TreeLink& root = links[0];
+  place(root, root);  // a root has neither axis nor lever
+  for (std::size_t k = 1; k < links.size(); ++k) place(links[k], links[links[k].parent]);
+}
+
+void Tree::locate_all() {
+  for (std::size_t k = 1; k < links.size(); ++k) {
+    TreeLink& link = links[k];
+    move(link, links[link.parent]);
+    locate(link, links[link.parent]);
+  }
+}
+
+// All accelerations from the present poses and velocities. \param inertia also eliminate it
+// \param moving false: as if all velocities were 0
+void Tree::recursion(bool inertia, bool moving) {
+  TreeLink* const first = links.data();
+  TreeLink* const end = first + links.size();
+  for (TreeLink* link = first; link < end; ++link) {
+    if (inertia) begin_inertia(*link);
+    if (moving && link > first) move(*link, first[link->parent]);
+    begin_bias(*link);
+  }
+  for (TreeLink* link = end - 1; link > first; --link) {
+    TreeLink& parent = first[link->parent];
+    if (inertia) {
+      eliminate(*link);
+      add_inertia(*link, parent);
+    }
+    add_bias(*link, parent);
+  }
+  if (is_free()) accelerate_root(*first);
+  for (TreeLink* link = first + 1; link < end; ++link) accelerate(*link, first[link->parent]);
+}
+
+void Tree::find_accelerations() {
+  for (Drive& drive : drives_) links[drive.link].held = false;
+  set_explicit_springs();
+  recursion(true);
+  fresh_ = true;
+}
+
+void Tree::set_explicit_springs() {
+  for (Drive& drive : drives_) {
+    TreeLink& link = links[drive.link];
+    const Spring& spring = drive.settings.spring;
+    const real force = -spring.stiffness * (link.x - spring.rest) - spring.damping * link.rate;
+    link.added = 0;
+    link.tau = std::clamp(force, -spring.strength, spring.strength);
+  }
+}
+
+// ---- leapfrog -----------------------------------------------------------------------------------
+
+void Tree::leapfrog(real h, int iterations) {
+  Momentum before;
+  if (is_free()) before = momentum();
+  for (Drive& drive : drives_) drive.impulse = {};
+  half_kick(h, true, iterations);
+  move_freely(links[0], h);
+  for (TreeLink& link : links) {
+    if (is_scalar(link)) link.x += h * link.rate;
+    if (link.freedom == Freedom::ball) link.q = normalize(rotation(h * link.w) * link.q);
+  }
+  place_all();
+  half_kick(h, false, 1);
+  fresh_ = false;
+  locate_all();
+  if (is_free()) keep_momentum(before, h, true);
+}
+
+// Changes the velocities by half a step's forces. In the first half these are the forces at the
+// velocities of its end, which symmetry requires: found by iterations from the last accelerations.
+void Tree::half_kick(real h, bool first, int iterations) {
+  const real half = h / 2;
+  base_rates_.resize(links.size());
+  base_w_.resize(links.size());
+  const auto end = [&](std::size_t k) {  // the velocities that the accelerations lead to
+    TreeLink& link = links[k];
+    if (is_scalar(link)) link.rate = base_rates_[k] + half * link.acceleration;
+    if (has_orientation(link)) link.w = base_w_[k] + half * link.alpha;
+    if (link.freedom == Freedom::free) link.v = base_v_ + half * link.a_A;
+  };
+  base_v_ = links[0].v;
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    base_rates_[k] = links[k].rate;
+    base_w_[k] = links[k].w;
+  }
+  bool inertia = !first || fresh_;
+  for (Drive& drive : drives_) {
+    TreeLink& link = links[drive.link];
+    drive.begin(link, h, first);
+    if (drive.apply(link, link.rate, half)) inertia = true;
+  }
+  if (first && !fresh_)
+    for (std::size_t k = 0; k < links.size(); ++k) end(k);
+  int rounds = first ? iterations + int(fresh_) : 1;
+  for (int round = 0; round < rounds; ++round) {
+    for (int pass = 0;; ++pass) {
+      recursion(inertia);
+      const bool wrong = correct_places(half, pass, inertia);
+      if (!wrong) break;
+      if (first && round + 1 == rounds && rounds < iterations + 4) ++rounds;
+    }
+    inertia = false;
+    for (std::size_t k = 0; k < links.size(); ++k) end(k);
+  }
+  for (Drive& drive : drives_) drive.add_impulses(links[drive.link], half);
+}
+
+// Moves drives whose force or rate disagrees with their place to the neighbouring place: all at
+// once, and once that has not helped for some passes, only the last of them, which ends always
+// (Murty's rule of the least index). \return true if there was one
+bool Tree::correct_places(real half, int pass, bool& inertia) {
+  constexpr int patience = 5, most_passes = 2000;
+  if (pass == 0) fewest_wrong_ = int(drives_.size()) + 1, passes_without_gain_ = 0;
+  if (drives_.empty() || pass == most_passes) return false;
+  const bool one = passes_without_gain_ >= patience;
+  int wrong = 0, place = 0, clip = 0;
+  inertia = false;
+  for (auto drive = drives_.rbegin(); drive != drives_.rend(); ++drive) {
+    TreeLink& link = links[drive->link];
+    const real base = base_rates_[std::size_t(drive->link)];
+    if (drive->right(link, base, half, place, clip)) continue;
+    if (++wrong > 1 && one) continue;
+    drive->place = place;
+    drive->clipped = clip;
+    if (drive->apply(link, base, half)) inertia = true;
+  }
+  passes_without_gain_ = wrong < fewest_wrong_ ? 0 : passes_without_gain_ + 1;
+  fewest_wrong_ = std::min(fewest_wrong_, wrong);
+  return wrong > 0;
+}
+
+// ---- Runge-Kutta --------------------------------------------------------------------------------
+
+Tree::State Tree::state_of(const TreeLink& link) const {
+  return {link.x, link.rate, link.centre, link.v, link.w, link.q};
+}
+
+void Tree::set(TreeLink& link, const State& state) {
+  if (is_scalar(link)) link.x = state.x, link.rate = state.rate;
+  if (has_orientation(link)) link.q = normalize(state.q), link.w = state.w;
+  if (link.freedom == Freedom::free) link.centre = state.centre, link.v = state.v;
+}
+
+void Tree::runge_kutta(real h) {
+  constexpr real times[] = {real(0.5), real(0.5), 1, 1}, weights[] = {1, 2, 2, 1};
+  Momentum before;
+  if (is_free()) before = momentum();
+  base_.resize(links.size());
+  sum_.resize(links.size());
+  for (std::size_t k = 0; k < links.size(); ++k) base_[k] = state_of(links[k]);
+  for (int stage = 0; stage < 4; ++stage) {
+    find_accelerations();
+    const bool last = stage == 3;
+    const real time = times[stage] * h, factor = last ? h / 6 : time;
+    for (std::size_t k = 0; k < links.size(); ++k) {
+      TreeLink& link = links[k];
+      const State& base = base_[k];
+      State& sum = sum_[k];
+      if (stage == 0) sum = State{};
+      State slope;
+      if (is_scalar(link)) {
+        slope.x = link.rate, slope.rate = link.acceleration;
+        sum.x += weights[stage] * slope.x, sum.rate += weights[stage] * slope.rate;
+        const State& use = last ? sum : slope;
+        link.x = base.x + factor * use.x, link.rate = base.rate + factor * use.rate;
+      } else if (has_orientation(link)) {
+        slope = {0, 0, link.v, link.a_A, link.alpha, rate_of(link.q, link.w)};
+        sum.centre += weights[stage] * slope.centre, sum.v += weights[stage] * slope.v;
+        sum.w += weights[stage] * slope.w, sum.q = sum.q + weights[stage] * slope.q;
+        const State& use = last ? sum : slope;
+        set(link, {0, 0, base.centre + factor * use.centre, base.v + factor * use.v,
+                   base.w + factor * use.w, base.q + factor * use.q});
+      } else if (link.freedom == Freedom::fixed) {
+        link.centre = base.centre, link.q = base.q;
+        move_freely(link, time);
+      }
+    }
+    place_all();
+  }
+  locate_all();
+  if (is_free()) keep_momentum(before, h, !forced_);
+}
+
+// ---- momentum -----------------------------------------------------------------------------------
+
+Tree::Momentum Tree::momentum() const {
+  Momentum sum;
+  for (const TreeLink& link : links) {
+    sum.mass += link.mass;
+    sum.centre += link.mass * (link.centre - links[0].centre);
+    sum.linear += link.mass * link.v;
+  }
+  sum.centre = links[0].centre + sum.centre / sum.mass;
+  const vec3 v = sum.linear / sum.mass;
+  for (const TreeLink& link : links) {
+    if (link.mass == 0) continue;
+    const vec3 r = link.centre - sum.centre;
+    sum.angular += link.mass * cross(r, link.v - v) + link.inertia * link.w;
+    sum.torque += cross(r, link.force) + link.torque;
+    for (int k = 0; k < 3; ++k) {
+      vec3 axis(0);
+      axis[k] = 1;
+      sum.inertia[k] += link.inertia[k] + link.mass * cross(r, cross(axis, r));
+    }
+  }
+  return sum;
+}
+
+// Gives a free tree the momentum that external forces require, by a motion of the whole tree as one
+// rigid body. \param before at the beginning of the step \param angular also the angular momentum
+void Tree::keep_momentum(const Momentum& before, real h, bool angular) {
+  const Momentum now = momentum();
+  vec3 force(0);
+  for (const TreeLink& link : links) force += link.force;
+  const vec3 linear = before.linear + h * force;
+  const vec3 shift = before.centre + h / 2 / now.mass * (before.linear + linear) - now.centre;
+  const vec3 L = before.angular + h / 2 * (before.torque + now.torque) - now.angular;
+  const vec3 w = angular ? inverse_of(now.inertia) * L : vec3(0);
+  TreeLink& root = links[0];
+  root.v += (linear - now.linear) / now.mass + cross(w, root.centre - now.centre);
+  root.centre += shift;
+  for (TreeLink& link : links)
+    if (has_orientation(link)) link.w += w;
+  locate_all();
+}
+
+// ---- the bodies ---------------------------------------------------------------------------------
+
+void Tree::read(const Bodies& bodies, real most_gap) {
+  masses_.resize(links.size());
+  std::vector<TreeLink> at_bodies = links;  // with the poses of the bodies, to measure gaps
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    TreeLink &link = links[k], &there = at_bodies[k];
+    link.held = false, link.added = link.tau = link.acceleration = 0;
+    if (link.slot < 0 || k == 0 || link.freedom == Freedom::ball) {
+      if (link.slot >= 0) link.q = bodies.at(link.slot).q;
+    }
+    if (k == 0) link.centre = bodies.at(link.slot).x;
+    if (sources[k].position) link.x = sources[k].position(sources[k].free, bodies);
+    there = link;
+    if (k > 0) {
+      place(there, at_bodies[link.parent]);
+      locate(there, at_bodies[link.parent]);
+    }
+    if (link.slot < 0) continue;
+    const Body& body = bodies.at(link.slot);
+    masses_[k] = {body.inverse_mass, body.inverse_inertia_local};
+    if (k > 0) {
+      real levers = length(there.c) + length(there.d);
+      for (int up = link.parent; links[up].slot < 0; up = links[up].parent)
+        levers += length(at_bodies[up].d);
+      const real gap = length(there.centre - body.x);
+      const real sine = std::abs(dot(there.q, body.q));
+      const real angle = 2 * std::acos(std::min(sine, real(1)));
+      const char* const must = "of a joint is too large; correct the poses, or step the rows first";
+      require(gap <= most_gap * levers, "gap [m]", gap, must);
+      require(angle <= std::max(most_gap, 8 * std::sqrt(epsilon)), "error [rad]", angle, must);
+    }
+    there.q = body.q;
+    there.R = mat3_cast(body.q);
+    there.c = there.R * link.centre_local;
+    there.centre = body.x;
+  }
+  place_all();
+
+  // The velocities: the motion that the bodies' momenta, as impulses, give to the tree at rest.
+  TreeLink& root = links[0];
+  root.alpha = root.a_A = vec3(0);
+  if (root.freedom == Freedom::fixed) {
+    const Body& body = bodies.at(root.slot);
+    root.alpha = body.kinematic ? body.w : vec3(0);
+    root.a_A = body.kinematic ? body.v : vec3(0);
+  }
+  for (TreeLink& link : links) {
+    link.w = link.zeta = link.gamma = link.force = link.torque = vec3(0);
+    if (link.mass == 0) continue;
+    const Body& body = bodies.at(link.slot);
+    link.force = link.mass * body.v;
+    link.torque = link.inertia * body.w;
+  }
+  recursion(true, false);
+  for (TreeLink& link : links) {
+    link.rate = link.acceleration;
+    link.acceleration = 0;
+    link.w = link.alpha;
+  }
+  root.v = root.a_A;
+  root.alpha = root.a_A = vec3(0);
+  locate_all();
+  fresh_ = true;
+}
+
+bool Tree::unchanged(const Bodies& bodies, bool& changed) const {
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    const TreeLink& link = links[k];
+    if (link.slot < 0) continue;
+    const Body& body = bodies.at(link.slot);
+    if (body.inverse_mass != masses_[k].inverse_mass ||
+        body.inverse_inertia_local != masses_[k].inverse_inertia)
+      changed = true;
+    if (link.freedom == Freedom::fixed && !body.kinematic) {
+      if (body.x != link.centre || body.q != link.q) return false;
+    } else if (body.x != link.centre || body.q != link.q || body.v != link.v ||
+               body.w != link.w) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool Tree::read_forces(const Bodies& bodies, const vec3& gravity) {
+  forced_ = false;
+  std::size_t known = 0;
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    TreeLink& link = links[k];
+    if (link.mass > 0) {
+      const Body& body = bodies.at(link.slot);
+      link.force = link.mass * gravity + body.force;
+      link.torque = body.torque;
+      if (body.force != vec3(0) || body.torque != vec3(0)) forced_ = true;
+    }
+    if (!sources[k].read) continue;
+    const bool listed = known < drives_.size() && drives_[known].link == int(k);
+    DriveSettings settings;
+    if (sources[k].read(sources[k].free, settings)) {
+      settings.beta = sources[k].joint->beta;
+      if (!listed) drives_.insert(drives_.begin() + long(known), Drive{.link = int(k), .settings{}});
+      drives_[known++].settings = settings;
+    } else if (listed) {
+      drives_.erase(drives_.begin() + long(known));
+      link.held = false;
+      link.added = link.tau = 0;
+      fresh_ = true;
+    }
+  }
+  return !drives_.empty();
+}
+
+bool Tree::only_springs() const {
+  return std::ranges::all_of(drives_, [](const Drive& drive) {
+    const DriveSettings& s = drive.settings;
+    return s.motor.strength == 0 && s.friction == 0 && s.limits.lower == -unbounded &&
+           s.limits.upper == unbounded;
+  });
+}
+
+void Tree::write(Bodies& bodies) const {
+  for (const TreeLink& link : links) {
+    if (link.slot < 0 || link.freedom == Freedom::fixed) continue;
+    Body& body = bodies.at(link.slot);
+    body.x = link.centre, body.q = link.q, body.v = link.v, body.w = link.w;
+    if (!finite(sum(body.x) + sum(body.q) + sum(body.v) + sum(body.w)))
+      throw std::overflow_error("body " + std::to_string(link.slot) +
+                                ": a number has overflowed; take a shorter step");
+  }
+}
+
+}  // namespace joints

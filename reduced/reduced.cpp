@@ -156,6 +156,11 @@ void Reduced::step(World& world, real h) {
   world.last_h = 0;  // the velocities belong to the time of the poses
 }
 
+void Reduced::satisfy(World& world) {
+  refresh(world);
+  for (const Tree& tree : trees_) tree.write(world.bodies);
+}
+
 int Reduced::degrees_of_freedom() const {
   int sum = 0;
   for (const Tree& tree : trees_)

@@ -46,6 +46,10 @@ class Reduced {
   /// \throws std::overflow_error if a number of a body has overflowed
   void step(World& world, real h);
 
+  /// Writes the poses and velocities with which the next step begins: they satisfy the joints. The
+  /// velocities are changed as impulses of the joints would. \throws std::invalid_argument as step()
+  void satisfy(World& world);
+
   /// The number of degrees of freedom of all trees.
   int degrees_of_freedom() const;
   /// The number of trees; a body without joints is one, too.

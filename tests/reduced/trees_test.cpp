@@ -1,0 +1,235 @@
+// Trees in reduced coordinates against their rows: accelerations, trajectories, what is conserved.
+#include <optional>
+
+#include "bench/runge_kutta.h"
+#include "engine/instruments/measure.h"
+#include "tests/oracle/beside.h"
+#include "tests/oracle/test.h"
+#include "tests/reduced/drawn_trees.h"
+
+namespace {
+
+// The blocks of all joints that hold a position, at any poses.
+Blocks rows_at(const World& world, const Bodies& bodies) {
+  Blocks blocks;
+  for (const auto& joint : world.joints()) joint->append(bodies, blocks);
+  return blocks;
+}
+
+// J V at the poses that the present velocities lead to.
+Column rates_after(const World& world, real time) {
+  Bodies bodies = world.bodies;
+  for (Body& body : bodies) {
+    body.x += time * body.v;
+    body.q = normalize(rotation(time * body.w) * body.q);
+  }
+  return system_of(rows_at(world, bodies), bodies.slots()).J * velocities(snapshot(bodies));
+}
+
+// The accelerations that the rows determine: J a = -(dJ/dt) V, M a = forces + J^T lambda.
+Column accelerations_of_rows(World& world, real speed) {
+  for (const auto& joint : world.joints()) joint->begin_step(world.bodies, real(1e-3));
+  const System system = system_of(rows_at(world, world.bodies), world.bodies.slots());
+  const std::vector<Body> bodies = snapshot(world.bodies);
+  const Dense W = inverse_masses(bodies);
+  Column free(6 * long(bodies.size()));
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    if (bodies[k].is_static()) continue;
+    const dmat3 I = inertia_of(bodies[k]);
+    const dvec3 w(bodies[k].w), spin = glm::inverse(I) * (dvec3(bodies[k].torque) -
+                                                         glm::cross(w, I * w));
+    const dvec3 a = dvec3(world.gravity) + double(bodies[k].inverse_mass) * dvec3(bodies[k].force);
+    for (int i = 0; i < 3; ++i) free[6 * long(k) + i] = a[i], free[6 * long(k) + 3 + i] = spin[i];
+  }
+  const real e = real(1e-3) / speed;
+  const Column change = (8.0 * (rates_after(world, e) - rates_after(world, -e)) -
+                         (rates_after(world, 2 * e) - rates_after(world, -2 * e))) /
+                        (12 * double(e));
+  Dense K = system.J * W * system.J.transpose();
+  Column right = -change - system.J * free;
+  std::vector<double> scale;
+  for (long i = 0; i < K.rows(); ++i) scale.push_back(1 / std::sqrt(K(i, i)));
+  for (long i = 0; i < K.rows(); ++i) {
+    right[i] *= scale[i];
+    for (long j = 0; j < K.rows(); ++j) K(i, j) *= scale[i] * scale[j];
+  }
+  Column lambda = solved(K, right);
+  const Column left = right - K * lambda;  // one iteration of refinement
+  lambda += solved(K, left);
+  for (long i = 0; i < K.rows(); ++i) lambda[i] *= scale[i];
+  return free + W * system.J.transpose() * lambda;
+}
+
+double energy_of(const World& world) { return energy(all_of(world.bodies), world.gravity); }
+
+// Runs the same drawn world in several ways, each for a second at 1 kHz.
+struct Runs {
+  TreeFamily family;
+  Random random;
+  World start() const {
+    Random again = random;
+    World world = drawn_tree(again, family);
+    world.gravity *= family.size / 3;  // so that small ones do not swing faster
+    Reduced(world).satisfy(world);
+    return world;
+  }
+  World after(const std::function<void(World&, real)>& step, int steps = 1000) const {
+    World world = start();
+    for (int n = 0; n < steps; ++n) step(world, real(1) / real(steps));
+    return world;
+  }
+  World reduced(Reduced::Method method, int steps = 1000, int iterations = 2) const {
+    std::optional<Reduced> tree;
+    return after([&](World& world, real h) {
+      if (!tree) tree.emplace(world);
+      tree->method = method, tree->iterations = iterations;
+      tree->step(world, h);
+    }, steps);
+  }
+};
+
+Runs draw_run(Random& random, int most_joints, Root root) {
+  Runs runs{any_family(random, most_joints), random};
+  runs.family.root = root;
+  runs.family.speed = real(1.5);
+  drawn_tree(random, runs.family);
+  return runs;
+}
+
+constexpr auto leapfrog = Reduced::Method::leapfrog, kutta = Reduced::Method::runge_kutta;
+
+// The energy that a motion of this world can be expected to exchange [J].
+double scale_of_energy(const World& world, const TreeFamily& family) {
+  double out = 0;
+  for (const Body& body : world.bodies)
+    if (!body.is_static())
+      out += kinetic_energy(body) + double(length(world.gravity) * family.size) /
+                                        double(body.inverse_mass);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("accelerations in reduced coordinates are those of the rows, in drawn trees of any size") {
+  Random random(51001);
+  int held = 0;
+  double worst = 0;
+  const int trees = is_float ? 10 : 40;
+  for (int n = 0; n < trees; ++n) {
+    TreeFamily family = any_family(random, n == 0 && !is_float ? 200 : 40);
+    if (n == 0) family.joints = is_float ? 20 : 200;
+    World world = drawn_tree(random, family);
+    if (n % 3 == 1)
+      for (Body& body : world.bodies)
+        if (!body.is_static())
+          body.force = random.vector(family.mass * 20), body.torque = random.vector(family.mass);
+    Reduced tree(world);
+    tree.satisfy(world);
+    const auto yours = tree.accelerations(world);
+    const Column expected = accelerations_of_rows(world, family.speed);
+    double apart = 0, size = 0;
+    for (std::size_t k = 0; k < yours.size(); ++k) {
+      const dvec3 v = three(expected, 6 * long(k)), w = three(expected, 6 * long(k) + 3);
+      if (world.bodies.at(int(k)).is_static()) continue;
+      const double lever = double(family.size);
+      apart = std::max(apart, glm::length(dvec3(yours[k].v) - v) +
+                                  lever * glm::length(dvec3(yours[k].w) - w));
+      size = std::max(size, glm::length(v) + lever * glm::length(w));
+    }
+    worst = std::max(worst, apart / size);
+    if (apart < tolerance(1e-9, 1e-2) * size) ++held;
+  }
+  INFO(held << " of " << trees << " held, worst " << worst);
+  CHECK(held == trees);
+}
+
+TEST_CASE("in drawn trees Runge-Kutta steps of the coordinates go where those of the rows go") {
+  if (is_float) return;  // a comparison to many digits
+  Random random(51002);
+  double worst = 0, worst_energy = 0;
+  for (int n = 0; n < 12; ++n) {
+    Runs runs = draw_run(random, 15, Root(n % 3));
+    runs.family.six = false;  // the method on rows rejects limits, and a locked coordinate is one
+    RungeKutta rows;
+    const World expected = runs.after([&](World& world, real h) { rows.step(world, h); });
+    const World world = runs.reduced(kutta);
+    worst = std::max(worst, apart(world, expected) / double(runs.family.size));
+    if (runs.family.root == Root::is_kinematic) continue;  // its root works on it
+    const World before = runs.start();
+    worst_energy = std::max(worst_energy, std::abs(energy_of(world) - energy_of(before)) /
+                                              scale_of_energy(before, runs.family));
+  }
+  INFO("worst " << worst << " of a size, energy " << worst_energy);
+  CHECK(worst < 1e-6);
+  CHECK(worst_energy < 1e-6);
+}
+
+TEST_CASE("leapfrog in the coordinates is of second order, and four times as exact at half the step") {
+  if (is_float) return;
+  Random random(51003);
+  double worst = 0, least = 100, most = 0;
+  int compared = 0;
+  for (int n = 0; n < 12; ++n) {
+    const Runs runs = draw_run(random, 15, Root(n % 3));
+    const World exact = runs.reduced(kutta), coarse = runs.reduced(leapfrog, 500),
+                fine = runs.reduced(leapfrog);
+    worst = std::max(worst, apart(fine, exact) / double(runs.family.size));
+    if (apart(fine, exact) < 1e-9 * double(runs.family.size)) continue;  // hardly bent: exact
+    const double ratio = apart(coarse, exact) / apart(fine, exact);
+    ++compared;
+    least = std::min(least, ratio), most = std::max(most, ratio);
+  }
+  INFO("worst " << worst << " of a size, ratios " << least << " to " << most);
+  CHECK(worst < 1e-3);
+  CHECK(compared >= 8);
+  CHECK(least > 3.5);
+  CHECK(most < 4.5);
+}
+
+TEST_CASE("a tree that floats freely keeps its momentum, by either method") {
+  Random random(51004);
+  double worst = 0;
+  for (int n = 0; n < 10; ++n) {
+    Runs runs = draw_run(random, 20, Root::is_free);
+    for (const auto method : {leapfrog, kutta}) {
+      World world = runs.start();
+      world.gravity = vec3(0);
+      const auto before = momentum(all_of(world.bodies));
+      Reduced tree(world);
+      tree.method = method;
+      double scale = 0;
+      for (const Body& body : world.bodies)
+        scale += double(length(body.v) + length(body.w) * runs.family.size) /
+                 double(body.inverse_mass);
+      for (int k = 0; k < 200; ++k) tree.step(world, real(0.005));
+      const auto after = momentum(all_of(world.bodies));
+      worst = std::max({worst, glm::length(after.linear - before.linear) / scale,
+                        glm::length(after.angular - before.angular) /
+                            (scale * double(runs.family.size))});
+    }
+  }
+  INFO("worst " << worst);
+  CHECK(worst < tolerance(1e-12, 1e-3));
+}
+
+TEST_CASE("steps by leapfrog can be undone: exactly on a fixed root, nearly in a free tree") {
+  if (is_float) return;
+  Random random(51005);
+  double worst = 0, worst_free = 0;
+  for (int n = 0; n < 10; ++n) {
+    const Runs runs = draw_run(random, 10, n % 2 == 0 ? Root::is_static : Root::is_free);
+    World world = runs.start();
+    const std::vector<Body> start = snapshot(world.bodies);
+    Reduced tree(world);
+    tree.iterations = 20;
+    for (int twice = 0; twice < 2; ++twice) {
+      for (int k = 0; k < 100; ++k) tree.step(world, real(0.005));
+      for (Body& body : world.bodies) body.v = -body.v, body.w = -body.w;
+    }
+    double& most = n % 2 == 0 ? worst : worst_free;
+    most = std::max(most, apart(world, start) / double(runs.family.size));
+  }
+  INFO("worst " << worst << " of a size, free " << worst_free);
+  CHECK(worst < 1e-11);
+  CHECK(worst_free < 1e-6);
+}

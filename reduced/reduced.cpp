@@ -79,6 +79,8 @@ struct Grower {
       link.start_axis = quat(0, a.x, a.y, a.z) * element.start;
       tree.links.push_back(link);
       tree.sources.push_back(element.source);
+      tree.sources.back().joint = &joint;
+      tree.sources.back().number = number;
     }
     const int child = int(tree.links.size()) - 1;
     for (const std::size_t next : joints_of[std::size_t(to)])

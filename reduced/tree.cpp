@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "reduced/recognised.h"
+
 namespace joints {
 
 namespace {
@@ -265,9 +267,8 @@ void Tree::read(const Bodies& bodies, real most_gap) {
   for (std::size_t k = 0; k < links.size(); ++k) {
     TreeLink &link = links[k], &there = at_bodies[k];
     link.held = false, link.added = link.tau = link.acceleration = 0;
-    if (link.slot < 0 || k == 0 || link.freedom == Freedom::ball) {
-      if (link.slot >= 0) link.q = bodies.at(link.slot).q;
-    }
+    if (link.slot >= 0 && (k == 0 || link.freedom == Freedom::ball))
+      link.q = bodies.at(link.slot).q;
     if (k == 0) link.centre = bodies.at(link.slot).x;
     if (sources[k].position) link.x = sources[k].position(sources[k].free, bodies);
     there = link;
@@ -282,12 +283,16 @@ void Tree::read(const Bodies& bodies, real most_gap) {
       real levers = length(there.c) + length(there.d);
       for (int up = link.parent; links[up].slot < 0; up = links[up].parent)
         levers += length(at_bodies[up].d);
-      const real gap = length(there.centre - body.x);
-      const real sine = std::abs(dot(there.q, body.q));
-      const real angle = 2 * std::acos(std::min(sine, real(1)));
-      const char* const must = "of a joint is too large; correct the poses, or step the rows first";
-      require(gap <= most_gap * levers, "gap [m]", gap, must);
-      require(angle <= std::max(most_gap, 8 * std::sqrt(epsilon)), "error [rad]", angle, must);
+      const real gap = length(there.centre - there.c - world_point(body, -link.centre_local));
+      const real cosine = std::abs(dot(there.q, body.q));
+      const real angle = 2 * std::acos(std::min(cosine, real(1)));
+      const auto refuse = [&](real error, const char* unit) {
+        refuse_joint(*sources[k].joint, sources[k].number,
+                     "has an error of " + std::to_string(error) + unit +
+                         " at the present poses, more than most_gap permits");
+      };
+      if (!(gap <= most_gap * levers)) refuse(gap, " m");
+      if (!(angle <= std::max(most_gap, 8 * std::sqrt(epsilon)))) refuse(angle, " rad");
     }
     there.q = body.q;
     there.R = mat3_cast(body.q);

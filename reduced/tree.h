@@ -14,6 +14,7 @@ namespace joints {
 struct CoordinateSource {
   const void* free = nullptr;  ///< the FreeCoordinate
   const Joint* joint = nullptr;  ///< to which it belongs
+  std::size_t number = 0;        ///< of that joint, for messages
   real (*position)(const void*, const Bodies&) = nullptr;  ///< its value [rad or m]
   bool (*read)(const void*, DriveSettings&) = nullptr;     ///< false if nothing acts on it
   void (*count)(const void*, real) = nullptr;  ///< tells it its value, for the turns
@@ -23,7 +24,7 @@ struct CoordinateSource {
 class Tree {
  public:
   std::vector<TreeLink> links;  ///< the root first
-  std::vector<CoordinateSource> sources;  ///< of each link; empty ones for roots, welds and balls
+  std::vector<CoordinateSource> sources;  ///< of each link; without functions for welds, balls and roots
 
   /// Reads poses and velocities of the bodies; those of the velocities that the joints do not
   /// permit are removed as impulses of the joints would. \param most_gap see Reduced

@@ -155,6 +155,7 @@ void Reduced::step(World& world, real h) {
   for (int slot = 0; slot < world.bodies.slots(); ++slot)
     if (world.bodies.at(slot).kinematic) integrate_pose(world.bodies.at(slot), h);
   for (const Tree& tree : trees_) tree.write(world.bodies);
+  last_h_ = h;
   world.last_h = 0;  // the velocities belong to the time of the poses
 }
 
@@ -171,6 +172,45 @@ int Reduced::degrees_of_freedom() const {
              : link.freedom == Freedom::ball ? 3
              : link.freedom == Freedom::hinge || link.freedom == Freedom::slider ? 1 : 0;
   return sum;
+}
+
+Reduced::Place Reduced::find(const Joint& joint) const {
+  for (std::size_t t = 0; t < trees_.size(); ++t) {
+    const auto& sources = trees_[t].sources;
+    const auto is = [&](const CoordinateSource& source) { return source.joint == &joint; };
+    const auto first = std::ranges::find_if(sources, is);
+    if (first == sources.end()) continue;
+    const auto last = std::find_if_not(first, sources.end(), is);
+    return {t, std::size_t(first - sources.begin()), std::size_t(last - sources.begin()) - 1};
+  }
+  refuse("joint: no tree has it: is it between static bodies, or of another world?");
+}
+
+Reaction Reduced::load(const Joint& joint) {
+  const Place at = find(joint);
+  Tree& tree = trees_[at.tree];
+  const bool forward = tree.links[at.last].slot == int(joint.body2.slot);
+  Reaction out = tree.reaction(forward ? at.last : at.first);
+  if (forward) return out;
+  const TreeLink& link = tree.links[at.first];  // about the anchor of body 2 instead of body 1
+  if (link.freedom == Freedom::slider) out.torque += cross(link.x * link.a, out.force);
+  return {-out.force, -out.torque};
+}
+
+Reduced::Forces Reduced::forces(const Joint& joint, int coordinate) const {
+  const Place at = find(joint);
+  const Tree& tree = trees_[at.tree];
+  const bool forward = tree.links[at.last].slot == int(joint.body2.slot);
+  std::vector<std::size_t> links;
+  for (std::size_t k = at.first; k <= at.last; ++k)
+    if (tree.sources[k].read) links.push_back(k);
+  if (!forward) std::ranges::reverse(links);
+  require(coordinate >= 0 && coordinate < int(links.size()), "coordinate", real(coordinate),
+          "must be the number of a free coordinate of this joint");
+  const Drive* const drive = tree.drive_of(links[std::size_t(coordinate)]);
+  if (!drive || last_h_ == 0) return {};
+  const auto& sums = drive->impulse;
+  return {sums[0] / last_h_, sums[1] / last_h_, sums[2] / last_h_, sums[3] / last_h_};
 }
 
 std::vector<Reduced::Acceleration> Reduced::accelerations(const World& world) {

@@ -63,7 +63,27 @@ class Reduced {
   /// act on the coordinates. \throws std::invalid_argument as step()
   std::vector<Acceleration> accelerations(const World& world);
 
+  /// The force on body 2 of a joint and the torque on it about its anchor, at the end of the last
+  /// step: of all that the joint does, rigid parts, drives and springs.
+  /// \throws std::invalid_argument for a joint between static bodies or of another world
+  Reaction load(const Joint& joint);
+  /// The mean forces of what acts on a coordinate in the last step by leapfrog [N m or N].
+  struct Forces {
+    real motor = 0;     ///< of motor or servo
+    real friction = 0;  ///< of friction
+    real limit = 0;     ///< of the limits
+    real spring = 0;    ///< of the spring
+  };
+  /// Those of a joint. \param coordinate of a joint with several: 0 for the first one that is
+  /// neither locked nor part of a ball \throws std::invalid_argument if there is none
+  Forces forces(const Joint& joint, int coordinate = 0) const;
+
  private:
+  struct Place {
+    std::size_t tree, first, last;  // of the links of a joint
+  };
+  Place find(const Joint& joint) const;
+  real last_h_ = 0;
   void build(const World& world);
   void refresh(const World& world);
   std::vector<Tree> trees_;

@@ -72,6 +72,33 @@ void Tree::find_accelerations() {
   fresh_ = true;
 }
 
+Reaction Tree::reaction(std::size_t of) {
+  for (Drive& drive : drives_)
+    if (links[drive.link].held) links[drive.link].acceleration = 0;
+  recursion(fresh_);
+  // Only descendants of the link have a number as high as it and a chain of parents to it.
+  std::vector<Reaction> sums(links.size());
+  for (std::size_t k = links.size(); k-- > of;) {
+    const TreeLink& link = links[k];
+    const vec3 a = link.a_A + cross(link.alpha, link.c) + cross(link.w, cross(link.w, link.c));
+    const vec3 force = link.mass * a - link.force;
+    sums[k].force += force;
+    sums[k].torque += link.inertia * link.alpha + cross(link.w, link.inertia * link.w) -
+                      link.torque + cross(link.c, force);
+    if (k == of || link.parent < int(of)) continue;
+    Reaction& parent = sums[std::size_t(link.parent)];
+    parent.force += sums[k].force;
+    parent.torque += sums[k].torque + cross(link.d, sums[k].force);
+  }
+  return sums[of];
+}
+
+const Drive* Tree::drive_of(std::size_t link) const {
+  for (const Drive& drive : drives_)
+    if (drive.link == int(link)) return &drive;
+  return nullptr;
+}
+
 void Tree::set_explicit_springs() {
   for (Drive& drive : drives_) {
     TreeLink& link = links[drive.link];
@@ -383,6 +410,10 @@ bool Tree::only_springs() const {
 }
 
 void Tree::write(Bodies& bodies) const {
+  for (const Drive& drive : drives_) {  // the joint counts its turns
+    const CoordinateSource& source = sources[std::size_t(drive.link)];
+    source.count(source.free, links[std::size_t(drive.link)].x);
+  }
   for (const TreeLink& link : links) {
     if (link.slot < 0 || link.freedom == Freedom::fixed) continue;
     Body& body = bodies.at(link.slot);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "engine/kept/reaction.h"
 #include "engine/world.h"
 #include "reduced/drives.h"
 
@@ -47,6 +48,11 @@ class Tree {
   void runge_kutta(real h);
   /// Computes the accelerations at the present state; drives are off, but for springs.
   void find_accelerations();
+  /// The forces that hold a link, at the present state and with what its coordinates do now: on
+  /// the link, about A, from the motion of the subtree by Newton and Euler.
+  Reaction reaction(std::size_t link);
+  /// What acts on the coordinate of a link; null if nothing does.
+  const Drive* drive_of(std::size_t link) const;
 
  private:
   struct State {  // of a link; also its derivative

@@ -9,57 +9,6 @@
 
 namespace {
 
-// The blocks of all joints that hold a position, at any poses.
-Blocks rows_at(const World& world, const Bodies& bodies) {
-  Blocks blocks;
-  for (const auto& joint : world.joints()) joint->append(bodies, blocks);
-  return blocks;
-}
-
-// J V at the poses that the present velocities lead to.
-Column rates_after(const World& world, real time) {
-  Bodies bodies = world.bodies;
-  for (Body& body : bodies) {
-    body.x += time * body.v;
-    body.q = normalize(rotation(time * body.w) * body.q);
-  }
-  return system_of(rows_at(world, bodies), bodies.slots()).J * velocities(snapshot(bodies));
-}
-
-// The accelerations that the rows determine: J a = -(dJ/dt) V, M a = forces + J^T lambda.
-Column accelerations_of_rows(World& world, real speed) {
-  for (const auto& joint : world.joints()) joint->begin_step(world.bodies, real(1e-3));
-  const System system = system_of(rows_at(world, world.bodies), world.bodies.slots());
-  const std::vector<Body> bodies = snapshot(world.bodies);
-  const Dense W = inverse_masses(bodies);
-  Column free(6 * long(bodies.size()));
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    if (bodies[k].is_static()) continue;
-    const dmat3 I = inertia_of(bodies[k]);
-    const dvec3 w(bodies[k].w), spin = glm::inverse(I) * (dvec3(bodies[k].torque) -
-                                                         glm::cross(w, I * w));
-    const dvec3 a = dvec3(world.gravity) + double(bodies[k].inverse_mass) * dvec3(bodies[k].force);
-    for (int i = 0; i < 3; ++i) free[6 * long(k) + i] = a[i], free[6 * long(k) + 3 + i] = spin[i];
-  }
-  const real e = real(1e-3) / speed;
-  const Column change = (8.0 * (rates_after(world, e) - rates_after(world, -e)) -
-                         (rates_after(world, 2 * e) - rates_after(world, -2 * e))) /
-                        (12 * double(e));
-  Dense K = system.J * W * system.J.transpose();
-  Column right = -change - system.J * free;
-  std::vector<double> scale;
-  for (long i = 0; i < K.rows(); ++i) scale.push_back(1 / std::sqrt(K(i, i)));
-  for (long i = 0; i < K.rows(); ++i) {
-    right[i] *= scale[i];
-    for (long j = 0; j < K.rows(); ++j) K(i, j) *= scale[i] * scale[j];
-  }
-  Column lambda = solved(K, right);
-  const Column left = right - K * lambda;  // one iteration of refinement
-  lambda += solved(K, left);
-  for (long i = 0; i < K.rows(); ++i) lambda[i] *= scale[i];
-  return free + W * system.J.transpose() * lambda;
-}
-
 double energy_of(const World& world) { return energy(all_of(world.bodies), world.gravity); }
 
 // Runs the same drawn world in several ways, each for a second at 1 kHz.

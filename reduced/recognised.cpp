@@ -107,6 +107,11 @@ void refuse_joint(const Joint& joint, std::size_t number, const std::string& why
          "; use DirectSolver for this world");
 }
 
+bool is_driven(const Joint& joint) {
+  const Joint::Stats extras = joint.stats();
+  return extras.limits > 0 || extras.motors > 0 || extras.bounded;
+}
+
 Recognised Recognised::reversed() const {
   Recognised out{anchor2_local, anchor1_local, {}};
   for (auto element = elements.rbegin(); element != elements.rend(); ++element) {
@@ -115,6 +120,17 @@ Recognised Recognised::reversed() const {
     back.axis = -(back.start * element->axis);
     out.elements.push_back(back);
   }
+  return out;
+}
+
+std::array<Range, 6> locks_of(const SixDofJoint& joint) {
+  std::array<Range, 6> out;
+  const auto lock = [&](std::size_t k, const Range& range) {
+    if (range.lower == range.upper) out[k] = range;
+  };
+  lock(0, joint.coordinate<0>().limits()), lock(1, joint.coordinate<1>().limits());
+  lock(2, joint.coordinate<2>().limits()), lock(3, joint.coordinate<3>().limits());
+  lock(4, joint.coordinate<4>().limits()), lock(5, joint.coordinate<5>().limits());
   return out;
 }
 
@@ -150,8 +166,7 @@ Recognised recognise(const Joint& joint, std::size_t number) {
     if (!recognise_six(*six, out))
       refuse_joint(joint, number, "has rotations that no chain of hinges and balls has");
   } else if (const auto* ball = dynamic_cast<const BallJoint*>(&joint)) {
-    const Joint::Stats extras = joint.stats();
-    if (extras.limits > 0 || extras.motors > 0 || extras.bounded)
+    if (is_driven(joint))
       refuse_joint(joint, number, "has limits or drives of a ball joint, which reduced "
                                   "coordinates do not have");
     from_to(ball->part);

@@ -1,6 +1,7 @@
 // A joint as a chain of elementary motions. Given, there is nothing to edit here.
 #pragma once
 
+#include "joints/driven_joints.h"
 #include "reduced/tree.h"
 
 /// \addtogroup reduced
@@ -28,6 +29,10 @@ struct Recognised {
 /// Recognises a joint. \param number of the joint, for the message
 /// \throws std::invalid_argument naming it if it has no elementary motions
 Recognised recognise(const Joint& joint, std::size_t number);
+/// The locks of a joint with six degrees of freedom; infinite ranges for the others.
+std::array<Range, 6> locks_of(const SixDofJoint& joint);
+/// True if limits, drives or bounds act on a joint.
+bool is_driven(const Joint& joint);
 /// Rejects a joint. \param why continues "joint 3 (HingeJoint) " \throws std::invalid_argument
 [[noreturn]] void refuse_joint(const Joint& joint, std::size_t number, const std::string& why);
 

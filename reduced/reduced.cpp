@@ -124,6 +124,10 @@ void Reduced::build(const World& world) {
     }
   for (Tree& tree : trees) tree.read(world.bodies, most_gap_);
   trees_ = std::move(trees);
+  locks_.clear();
+  for (const auto& joint : world.joints())
+    if (const auto* six = dynamic_cast<const SixDofJoint*>(joint.get()))
+      locks_.emplace_back(six, locks_of(*six));
   joint_count_ = world.joints().size();
   last_joint_ = joint_count_ > 0 ? world.joints().back()->number() : 0;
   bodies_ = used_slots(world.bodies);
@@ -133,6 +137,12 @@ void Reduced::refresh(const World& world) {
   const auto& joints = world.joints();
   bool rebuild = joints.size() != joint_count_ || used_slots(world.bodies) != bodies_ ||
                  (joint_count_ > 0 && joints.back()->number() != last_joint_);
+  for (const auto& [joint, locks] : locks_) {
+    if (rebuild) break;
+    const std::array<Range, 6> now = locks_of(*joint);
+    for (std::size_t k = 0; k < 6; ++k)
+      if (now[k].lower != locks[k].lower || now[k].upper != locks[k].upper) rebuild = true;
+  }
   for (Tree& tree : trees_) {
     if (rebuild) break;
     if (!tree.unchanged(world.bodies, rebuild) && !rebuild) tree.read(world.bodies, most_gap_);

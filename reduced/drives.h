@@ -42,7 +42,7 @@ struct Drive {
   real spring = 0;         ///< force of the spring at acceleration 0 [N m or N]
   real added = 0;          ///< decrease of that force per unit of acceleration [kg m^2 or kg]
   int clipped = 0;         ///< its strength is reached: sign of its force, or 0
-  std::array<real, 4> impulse{};  ///< of motor, friction, limits and spring in this step [N m s, N s]
+  std::array<real, 4> impulse{};  ///< of motor, friction, limits, spring in this step [N m s, N s]
 
   /// Computes the thresholds and the spring's force. \param h the whole step [s]
   /// \param first of the two halves of the step

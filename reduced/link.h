@@ -74,19 +74,19 @@ struct TreeLink {
   vec3 a_A{0};         ///< acceleration of its point at A [m/s^2]
 };
 
-// ---- outward: poses and velocities ---------------------------------------------------------------
+// ---- outward: poses and velocities --------------------------------------------------------------
 
 /// The pose of a child from its coordinate: q, R, a, d, c, and the inertia about its centre. A
 /// hinge rotates by x about a, a slider displaces A by x a, and a ball joint has its own q.
 void place(TreeLink& link, const TreeLink& parent);
-/// The angular velocity of a child, and the accelerations that velocities alone cause. Differentiate
-/// w = w_p + a rate and v_A = v_p + w_p x d (+ a rate for a slider) with da/dt = w_p x a and
-/// dd/dt = w_p x d (+ a rate): the terms without accelerations are zeta and gamma.
+/// The angular velocity of a child, and the accelerations that velocities alone cause.
+/// Differentiate w = w_p + a rate and v_A = v_p + w_p x d (+ a rate for a slider) with da/dt =
+/// w_p x a and dd/dt = w_p x d (+ a rate): the terms without accelerations are zeta and gamma.
 void move(TreeLink& link, const TreeLink& parent);
 /// The linear state of a child: centre [m] and v [m/s], of those of its parent.
 void locate(TreeLink& link, const TreeLink& parent);
 
-// ---- inward: inertia and bias --------------------------------------------------------------------
+// ---- inward: inertia and bias -------------------------------------------------------------------
 
 /// The inertia of the body alone at A: Newton and Euler about the centre, with the acceleration of
 /// the centre a_A + alpha x c + .. and the torque about A, which adds c x force.
@@ -104,7 +104,7 @@ void add_inertia(const TreeLink& link, TreeLink& parent);
 /// Adds its bias there. Computes k; for a held joint `acceleration` has to be set.
 void add_bias(TreeLink& link, TreeLink& parent);
 
-// ---- outward: accelerations ----------------------------------------------------------------------
+// ---- outward: accelerations ---------------------------------------------------------------------
 
 /// alpha and a_A of a child, and its `acceleration`; or for a held joint the force `tau` that the
 /// known acceleration needs.

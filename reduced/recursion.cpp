@@ -25,12 +25,12 @@ void place(TreeLink& link, const TreeLink& parent) {
   if (link.freedom == Freedom::hinge) {
     const real half = link.x / 2;
     const quat turned = std::cos(half) * link.start + std::sin(half) * link.start_axis;
-    link.q = parent.q * turned;  // Eq. 11-1
+    link.q = parent.q * turned;  // (11-1)
     link.a = parent.R * link.axis_local;
   } else if (link.freedom == Freedom::slider) {
     link.q = parent.q * link.start;
     link.a = parent.R * link.axis_local;
-    link.d += link.x * link.a;  // Eq. 11-2
+    link.d += link.x * link.a;  // (11-2)
   } else if (link.freedom == Freedom::weld) {
     link.q = parent.q * link.start;
   }
@@ -44,14 +44,14 @@ void place(TreeLink& link, const TreeLink& parent) {
 
 void move(TreeLink& link, const TreeLink& parent) {
   const vec3& w = parent.w;
-  link.gamma = cross(w, cross(w, link.d));  // Eq. 11-5
+  link.gamma = cross(w, cross(w, link.d));  // (11-5)
   if (link.freedom == Freedom::hinge) {
     const vec3 relative = link.rate * link.a;
-    link.w = w + relative;             // Eq. 11-3
-    link.zeta = cross(w, relative);    // Eq. 11-4
+    link.w = w + relative;             // (11-3)
+    link.zeta = cross(w, relative);    // (11-4)
   } else if (link.freedom != Freedom::ball) {
     link.w = w;
-    if (link.freedom == Freedom::slider) link.gamma += 2 * link.rate * cross(w, link.a);  // Eq. 11-5
+    if (link.freedom == Freedom::slider) link.gamma += 2 * link.rate * cross(w, link.a);  // (11-5)
   }
 }
 
@@ -64,32 +64,32 @@ void locate(TreeLink& link, const TreeLink& parent) {
 void begin_inertia(TreeLink& link) {
   const vec3& c = link.c;
   const real m = link.mass;
-  link.M = mat3(m);           // Eq. 11-6
-  link.H = m * skew(c);       // Eq. 11-6
-  link.J = link.inertia + mat3(m * dot(c, c)) - m * outer(c, c);  // Eq. 11-6
+  link.M = mat3(m);           // (11-6)
+  link.H = m * skew(c);       // (11-6)
+  link.J = link.inertia + mat3(m * dot(c, c)) - m * outer(c, c);  // (11-6)
 }
 
 void begin_bias(TreeLink& link) {
   const vec3& w = link.w;
-  link.f = link.mass * cross(w, cross(w, link.c)) - link.force;  // Eq. 11-7
-  link.n = cross(link.c, link.f) - link.torque;                  // Eq. 11-7
+  link.f = link.mass * cross(w, cross(w, link.c)) - link.force;  // (11-7)
+  link.n = cross(link.c, link.f) - link.torque;                  // (11-7)
   if (link.rotates_inertia) link.n += cross(w, link.inertia * w);
 }
 
 void eliminate(TreeLink& link) {
   if (link.freedom == Freedom::ball) {
     const mat3 over_J = inverse_of(link.J), B = over_J * link.H;
-    link.M -= transpose(link.H) * B;  // Eq. 11-10
+    link.M -= transpose(link.H) * B;  // (11-10)
     link.J = over_J;
     link.H = B;
     return;
   }
   if (link.freedom == Freedom::hinge) {
-    link.Uw = link.J * link.a;  // Eq. 11-8
+    link.Uw = link.J * link.a;  // (11-8)
     link.Uv = link.a * link.H;  // H^T a
     link.D = dot(link.a, link.Uw);
   } else if (link.freedom == Freedom::slider) {
-    link.Uw = link.H * link.a;  // Eq. 11-8
+    link.Uw = link.H * link.a;  // (11-8)
     link.Uv = link.M * link.a;
     link.D = dot(link.a, link.Uv);
   } else {
@@ -99,7 +99,7 @@ void eliminate(TreeLink& link) {
   link.over_D = D > 0 ? 1 / D : real(0);
   if (link.held) return;
   const vec3 w = link.over_D * link.Uw, v = link.over_D * link.Uv;
-  link.J -= outer(link.Uw, w);  // Eq. 11-9
+  link.J -= outer(link.Uw, w);  // (11-9)
   link.H -= outer(link.Uw, v);
   link.M -= outer(link.Uv, v);
 }
@@ -114,18 +114,18 @@ void add_inertia(const TreeLink& link, TreeLink& parent) {
     return;
   }
   const mat3 moved = link.H + XM;
-  parent.H += moved;                                                   // Eq. 11-11
+  parent.H += moved;                                                   // (11-11)
   parent.J += link.J + transpose(crossed(d, transpose(link.H))) +
-              crossed(d, transpose(moved));                            // Eq. 11-11
+              crossed(d, transpose(moved));                            // (11-11)
 }
 
 void add_bias(TreeLink& link, TreeLink& parent) {
   vec3 n = link.n, f = link.f;
   if (link.freedom == Freedom::ball) {
-    f += link.M * link.gamma - n * link.H;  // Eq. 11-12; n^T J^-1 H
+    f += link.M * link.gamma - n * link.H;  // (11-12); n^T J^-1 H
     n = vec3(0);
   } else {
-    n += link.H * link.gamma;  // Eq. 11-12
+    n += link.H * link.gamma;  // (11-12)
     f += link.M * link.gamma;
     if (link.freedom == Freedom::hinge) {
       link.k = link.tau - dot(link.a, link.n);
@@ -136,7 +136,7 @@ void add_bias(TreeLink& link, TreeLink& parent) {
     }
     if (link.freedom != Freedom::weld) {
       const real along = link.held ? link.acceleration : link.over_D * link.k;
-      n += along * link.Uw;  // Eq. 11-12
+      n += along * link.Uw;  // (11-12)
       f += along * link.Uv;
     }
   }
@@ -145,9 +145,9 @@ void add_bias(TreeLink& link, TreeLink& parent) {
 }
 
 void accelerate(TreeLink& link, const TreeLink& parent) {
-  link.a_A = parent.a_A + cross(parent.alpha, link.d) + link.gamma;  // Eq. 11-13
+  link.a_A = parent.a_A + cross(parent.alpha, link.d) + link.gamma;  // (11-13)
   if (link.freedom == Freedom::ball) {
-    link.alpha = -(link.J * link.n + link.H * link.a_A);  // Eq. 11-14
+    link.alpha = -(link.J * link.n + link.H * link.a_A);  // (11-14)
     return;
   }
   link.alpha = parent.alpha;
@@ -155,9 +155,9 @@ void accelerate(TreeLink& link, const TreeLink& parent) {
   if (link.freedom != Freedom::hinge && link.freedom != Freedom::slider) return;
   const real felt = dot(link.Uw, link.alpha) + dot(link.Uv, link.a_A);
   if (link.held) {
-    link.tau += felt + link.D * link.acceleration - link.k;  // Eq. 11-15
+    link.tau += felt + link.D * link.acceleration - link.k;  // (11-15)
   } else {
-    link.acceleration = link.over_D * (link.k - felt);  // Eq. 11-14
+    link.acceleration = link.over_D * (link.k - felt);  // (11-14)
   }
   (link.freedom == Freedom::hinge ? link.alpha : link.a_A) += link.acceleration * link.a;
 }
@@ -165,8 +165,8 @@ void accelerate(TreeLink& link, const TreeLink& parent) {
 void accelerate_root(TreeLink& root) {
   const mat3 B = root.H * inverse_of(root.M);
   const mat3 J = root.J - B * transpose(root.H);
-  root.alpha = -(inverse_of(J) * (root.n - B * root.f));                 // Eq. 11-16
-  root.a_A = -(inverse_of(root.M) * (root.f + root.alpha * root.H));     // Eq. 11-16
+  root.alpha = -(inverse_of(J) * (root.n - B * root.f));                 // (11-16)
+  root.a_A = -(inverse_of(root.M) * (root.f + root.alpha * root.H));     // (11-16)
 }
 
 }  // namespace joints

@@ -52,7 +52,8 @@ class Reduced {
   void step(World& world, real h);
 
   /// Writes the poses and velocities with which the next step begins: they satisfy the joints. The
-  /// velocities are changed as impulses of the joints would. \throws std::invalid_argument as step()
+  /// velocities are changed as impulses of the joints would.
+  /// \throws std::invalid_argument as step()
   void satisfy(World& world);
 
   /// The number of degrees of freedom of all trees.

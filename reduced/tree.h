@@ -25,7 +25,7 @@ struct CoordinateSource {
 class Tree {
  public:
   std::vector<TreeLink> links;  ///< the root first
-  std::vector<CoordinateSource> sources;  ///< of each link; without functions for welds, balls and roots
+  std::vector<CoordinateSource> sources;  ///< of each link; a root has none
 
   /// Reads poses and velocities of the bodies; those of the velocities that the joints do not
   /// permit are removed as impulses of the joints would. \param most_gap see Reduced

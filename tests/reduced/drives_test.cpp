@@ -156,7 +156,7 @@ TEST_CASE("limits of drawn arms hold to a millionth, and a coordinate that hits 
   CHECK(gained < 0.1);
 }
 
-TEST_CASE("a motor at its bound exerts its bound until it reaches its speed, and then what it needs") {
+TEST_CASE("a motor exerts its bound until it reaches its speed, and then the torque that it needs") {
   Rotor rotor;
   rotor.hinge->set_motor(2, 3);  // 1 kg m^2: 2/3 s
   Reduced tree(rotor.world);
@@ -184,7 +184,7 @@ TEST_CASE("a servo arrives, and a coordinate counts its turns") {
   CHECK(double(rotor.hinge->position(rotor.world.bodies)) == Approx(20).margin(1e-3));
 }
 
-TEST_CASE("a spring swings with its period, and one as stiff as a wall or as tough as tar is stable") {
+TEST_CASE("a spring swings with its period, and any stiffness and damping are stable") {
   const auto after = [](const Spring& spring, int steps, real step, real speed) {
     Rotor rotor(0, speed);
     rotor.hinge->set_spring(spring);

@@ -156,7 +156,7 @@ TEST_CASE("limits of drawn arms hold to a millionth, and a coordinate that hits 
   CHECK(gained < 0.1);
 }
 
-TEST_CASE("a motor exerts its bound until it reaches its speed, and then the torque that it needs") {
+TEST_CASE("a motor exerts its bound until it reaches its speed, then the torque that it needs") {
   Rotor rotor;
   rotor.hinge->set_motor(2, 3);  // 1 kg m^2: 2/3 s
   Reduced tree(rotor.world);

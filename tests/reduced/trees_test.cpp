@@ -59,7 +59,7 @@ double scale_of_energy(const World& world, const TreeFamily& family) {
 
 }  // namespace
 
-TEST_CASE("accelerations in reduced coordinates are those of the rows, in drawn trees of any size") {
+TEST_CASE("accelerations in coordinates are those of the rows, in drawn trees of any size") {
   Random random(51001);
   int held = 0;
   double worst = 0;
@@ -113,7 +113,7 @@ TEST_CASE("in drawn trees Runge-Kutta steps of the coordinates go where those of
   CHECK(worst_energy < 1e-6);
 }
 
-TEST_CASE("leapfrog in the coordinates is of second order, and four times as exact at half the step") {
+TEST_CASE("leapfrog in the coordinates is four times as exact at half the step") {
   if (is_float) return;
   Random random(51003);
   double worst = 0, least = 100, most = 0;

@@ -152,8 +152,8 @@ void Reduced::refresh(const World& world) {
 
 void Reduced::step(World& world, real h) {
   require(h >= shortest_step && h <= longest_step, "h", h, "must be from 1e-9 to 1e9 [s]");
-  require(iterations >= 1 && iterations <= 100, "iterations", real(iterations),
-          "must be from 1 to 100 [1]");
+  require(iterations >= 1 && iterations <= 50, "iterations", real(iterations),
+          "must be from 1 to 50 [1]");
   require_finite("gravity", world.gravity, "must be finite [m/s^2]");
   refresh(world);
   for (Tree& tree : trees_)

@@ -2,6 +2,7 @@
 #include "reduced/tree.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace joints {
 
@@ -125,42 +126,77 @@ void Tree::leapfrog(real h, int iterations) {
 }
 
 // Changes the velocities by half a step's forces. In the first half these are the forces at the
-// velocities of its end, which symmetry requires: found by iterations from the last accelerations.
+// velocities of its end, which symmetry requires: found by iterations from the last accelerations,
+// at least `iterations`, and more while they still change the result by more than a hundredth.
 void Tree::half_kick(real h, bool first, int iterations) {
+  constexpr int most_rounds = 60;
+  constexpr real enough = real(0.01);
   const real half = h / 2;
   base_rates_.resize(links.size());
   base_w_.resize(links.size());
-  const auto end = [&](std::size_t k) {  // the velocities that the accelerations lead to
-    TreeLink& link = links[k];
-    if (is_scalar(link)) link.rate = base_rates_[k] + half * link.acceleration;
-    if (has_orientation(link)) link.w = base_w_[k] + half * link.alpha;
-    if (link.freedom == Freedom::free) link.v = base_v_ + half * link.a_A;
-  };
+  real top[2] = {0, 0};  // the greatest angular and linear velocity
   base_v_ = links[0].v;
   for (std::size_t k = 0; k < links.size(); ++k) {
-    base_rates_[k] = links[k].rate;
-    base_w_[k] = links[k].w;
+    const TreeLink& link = links[k];
+    base_rates_[k] = link.rate;
+    base_w_[k] = link.w;
+    real& greatest = top[link.freedom == Freedom::slider];
+    greatest = std::max(greatest, std::abs(link.rate));
+    if (has_orientation(link)) top[0] = std::max(top[0], length(link.w));
   }
+  if (is_free()) top[1] = std::max(top[1], length(base_v_));
   bool inertia = !first || fresh_;
   for (Drive& drive : drives_) {
     TreeLink& link = links[drive.link];
     drive.begin(link, h, first);
     if (drive.apply(link, link.rate, half)) inertia = true;
   }
-  if (first && !fresh_)
-    for (std::size_t k = 0; k < links.size(); ++k) end(k);
+  if (first && !fresh_) end_kick(half);
   int rounds = first ? iterations + int(fresh_) : 1;
   for (int round = 0; round < rounds; ++round) {
     for (int pass = 0;; ++pass) {
       recursion(inertia);
-      const bool wrong = correct_places(half, pass, inertia);
-      if (!wrong) break;
-      if (first && round + 1 == rounds && rounds < iterations + 4) ++rounds;
+      if (!correct_places(half, pass, inertia)) break;
     }
     inertia = false;
-    for (std::size_t k = 0; k < links.size(); ++k) end(k);
+    const auto [moved, size] = end_kick(half);
+    if (!first || round + 1 < rounds) continue;
+    const real slop[2] = {std::max(1000 * epsilon * top[0], real(1e-9) / h),
+                          std::max(1000 * epsilon * top[1], real(1e-9) * h * gravity_)};
+    bool settled = true;
+    for (const int k : {0, 1}) settled = settled && moved[k] <= enough * size[k] + slop[k];
+    if (!settled && ++rounds > most_rounds)
+      throw std::runtime_error("h: gyroscopic forces change too much within the step; take a "
+                               "shorter one, or Runge-Kutta");
   }
   for (Drive& drive : drives_) drive.add_impulses(links[drive.link], half);
+}
+
+// Sets the velocities to those that the accelerations lead to within half a step. \return how far
+// this has moved them, and how far they are from the beginning
+Tree::Change Tree::end_kick(real half) {
+  Change out;
+  const auto note = [&](int k, real moved, real size) {
+    out.moved[k] = std::max(out.moved[k], moved);
+    out.size[k] = std::max(out.size[k], size);
+  };
+  const auto set_vector = [&](int k, vec3& v, const vec3& base, const vec3& acceleration) {
+    const vec3 change = half * acceleration, next = base + change;
+    note(k, length(next - v), length(change));
+    v = next;
+  };
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    TreeLink& link = links[k];
+    if (is_scalar(link)) {
+      const real change = half * link.acceleration, next = base_rates_[k] + change;
+      note(link.freedom == Freedom::slider, std::abs(next - link.rate), std::abs(change));
+      link.rate = next;
+    } else if (has_orientation(link)) {
+      set_vector(0, link.w, base_w_[k], link.alpha);
+      if (link.freedom == Freedom::free) set_vector(1, link.v, base_v_, link.a_A);
+    }
+  }
+  return out;
 }
 
 // Moves drives whose force or rate disagrees with their place to the neighbouring place: all at

@@ -42,7 +42,8 @@ class Tree {
 
   /// The symmetric step of second order: half a kick, a drift, half a kick. The force at a pose
   /// depends on the velocities, so the first half kick is implicit. \param h [s]
-  /// \param iterations of the first half kick
+  /// \param iterations of the first half kick, at least
+  /// \throws std::runtime_error if they do not settle
   void leapfrog(real h, int iterations);
   /// The Runge-Kutta method of order 4. No drives but springs without a bound. \param h [s]
   void runge_kutta(real h);
@@ -74,6 +75,10 @@ class Tree {
   void locate_all();
   void recursion(bool inertia, bool moving = true);
   void half_kick(real h, bool first, int iterations);
+  struct Change {  // of angular, then of linear velocities
+    std::array<real, 2> moved{}, size{};
+  };
+  Change end_kick(real half);
   bool correct_places(real half, int pass, bool& inertia);
   State state_of(const TreeLink& link) const;
   void set(TreeLink& link, const State& state);
@@ -88,6 +93,7 @@ class Tree {
   std::vector<vec3> base_w_;
   vec3 base_v_{0};
   int fewest_wrong_ = 0, passes_without_gain_ = 0;
+  real gravity_ = 0;      // its magnitude [m/s^2]
   bool forced_ = false;   // a body has an external force or torque
   bool fresh_ = true;     // accelerations of the last half kick are not those of this pose
 };

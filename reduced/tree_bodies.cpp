@@ -102,6 +102,7 @@ bool Tree::unchanged(const Bodies& bodies, bool& changed) const {
 
 bool Tree::read_forces(const Bodies& bodies, const vec3& gravity) {
   forced_ = false;
+  gravity_ = length(gravity);
   std::size_t known = 0;
   for (std::size_t k = 0; k < links.size(); ++k) {
     TreeLink& link = links[k];

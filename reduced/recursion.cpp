@@ -64,9 +64,13 @@ void locate(TreeLink& link, const TreeLink& parent) {
 void begin_inertia(TreeLink& link) {
   const vec3& c = link.c;
   const real m = link.mass;
-  link.M = mat3(m);           // (11-6)
-  link.H = m * skew(c);       // (11-6)
-  link.J = link.inertia + mat3(m * dot(c, c)) - m * outer(c, c);  // (11-6)
+  link.M = mat3(m);
+  link.H = m * skew(c);
+  link.J = link.inertia;  // (11-6): I + m (c.c E - c c^T)
+  for (int k = 0; k < 3; ++k) {
+    link.J[k] -= (m * c[k]) * c;
+    link.J[k][k] += m * dot(c, c);
+  }
 }
 
 void begin_bias(TreeLink& link) {

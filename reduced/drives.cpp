@@ -13,13 +13,29 @@ real share(real z) { return 1 / (1 + 1 / (z * z)); }
 }  // namespace
 
 void Drive::begin(const TreeLink& link, real h, bool first) {
+  const DriveSettings& s = settings;
+  // The rate that reaches a limit within a step; beyond it, the rate that corrects a share.
+  const auto stop = [&](real bound, real sign) {
+    const real gap = sign * (link.x - bound);
+    return -sign * gap / h * (gap > 0 ? real(1) : s.beta);
+  };
+  const bool equal = s.limits.lower == s.limits.upper;
+  const real least = s.limits.lower > -unbounded ? stop(s.limits.lower, 1) : -unbounded;
+  const real most = equal ? least : s.limits.upper < unbounded ? stop(s.limits.upper, -1)
+                                                               : unbounded;
   count = 0;
+  constant = {};
   const auto add = [&](real rate, real below, real above, int item) {
+    if (rate < least || rate > most) {  // out of reach: its force is known
+      constant[std::size_t(item)] = rate < least ? above : below;
+      return;
+    }
     int k = count++;
     for (; k > 0 && thresholds[k - 1].rate > rate; --k) thresholds[k] = thresholds[k - 1];
     thresholds[k] = {rate, below, above, item};
   };
-  const DriveSettings& s = settings;
+  // The limits are the outermost ones, also where others have the same rate.
+  if (least > -unbounded) add(least, unbounded, equal ? -unbounded : real(0), 2);
   if (s.motor.strength > 0) {
     real speed = s.motor.speed;
     if (s.target < unbounded)
@@ -27,15 +43,7 @@ void Drive::begin(const TreeLink& link, real h, bool first) {
     add(speed, s.motor.strength, -s.motor.strength, 0);
   }
   if (s.friction > 0) add(0, s.friction, -s.friction, 1);
-  // The rate that reaches a limit within a step; beyond it, the rate that corrects a share.
-  const auto stop = [&](real bound, real sign) {
-    const real gap = sign * (link.x - bound);
-    return -sign * gap / h * (gap > 0 ? real(1) : s.beta);
-  };
-  const bool equal = s.limits.lower == s.limits.upper;
-  if (s.limits.lower > -unbounded)
-    add(stop(s.limits.lower, 1), unbounded, equal ? -unbounded : real(0), 2);
-  if (s.limits.upper < unbounded && !equal) add(stop(s.limits.upper, -1), 0, -unbounded, 3);
+  if (most < unbounded && !equal) add(most, 0, -unbounded, 3);
 
   int at = -1, lower = 0;
   for (int k = 0; k < count; ++k) {
@@ -64,7 +72,7 @@ void Drive::begin(const TreeLink& link, real h, bool first) {
 }
 
 real Drive::force(int number) const {
-  real sum = 0;
+  real sum = constant[0] + constant[1];
   for (int k = 0; k < count; ++k) sum += k < number ? thresholds[k].above : thresholds[k].below;
   return sum;
 }
@@ -119,6 +127,10 @@ void Drive::add_impulses(const TreeLink& link, real half) {
   real rest = link.tau - of_spring;
   if (!link.held && clipped == 0) rest = force(place / 2);
   held_item = place % 2 == 1 ? thresholds[place / 2].item : -1;
+  for (int item = 0; item < 2; ++item) {
+    impulse[item] += half * constant[item];
+    rest -= constant[item];
+  }
   const auto to = [&](const Threshold& threshold, real force) {
     impulse[std::min(threshold.item, 2)] += half * force;
   };

@@ -177,7 +177,7 @@ void Tree::half_kick(real h, bool first, int iterations) {
 Tree::Change Tree::end_kick(real half) {
   Change out;
   const auto note = [&](int k, real moved, real size) {
-    out.moved[k] = std::max(out.moved[k], moved);
+    if (!(moved <= out.moved[k])) out.moved[k] = moved;  // also NaN
     out.size[k] = std::max(out.size[k], size);
   };
   const auto set_vector = [&](int k, vec3& v, const vec3& base, const vec3& acceleration) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
 
 #include "engine/kept/input.h"
 #include "reduced/recognised.h"
@@ -160,8 +161,10 @@ void Reduced::step(World& world, real h) {
     if (tree.read_forces(world.bodies, world.gravity) && method == Method::runge_kutta)
       require(tree.only_springs(), "method: Runge-Kutta steps need coordinates without limits, "
                                    "motors and friction");
-  for (Tree& tree : trees_)
-    method == Method::leapfrog ? tree.leapfrog(h, iterations) : tree.runge_kutta(h);
+  for (Tree& tree : trees_) {
+    if (method == Method::leapfrog) leapfrog(tree, world, h);
+    else tree.runge_kutta(h);
+  }
   for (int slot = 0; slot < world.bodies.slots(); ++slot)
     if (world.bodies.at(slot).kinematic) integrate_pose(world.bodies.at(slot), h);
   for (const Tree& tree : trees_) tree.write(world.bodies);
@@ -172,6 +175,22 @@ void Reduced::step(World& world, real h) {
 void Reduced::satisfy(World& world) {
   refresh(world);
   for (const Tree& tree : trees_) tree.write(world.bodies);
+}
+
+// A step of a tree, divided as often as its forces require.
+void Reduced::leapfrog(Tree& tree, const World& world, real h) {
+  for (int parts = 1; parts <= most_parts; parts *= 2) {
+    if (parts > 1) {  // once more from the bodies, which have not moved yet
+      tree.read(world.bodies, most_gap_);
+      tree.read_forces(world.bodies, world.gravity);
+    }
+    tree.begin_impulses();
+    bool good = true;
+    for (int k = 0; k < parts && good; ++k) good = tree.leapfrog(h / real(parts), iterations);
+    if (good) return;
+  }
+  throw std::runtime_error("h: gyroscopic forces change too much within the step; take a shorter "
+                           "one");
 }
 
 int Reduced::degrees_of_freedom() const {

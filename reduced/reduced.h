@@ -25,7 +25,8 @@ class SixDofJoint;
 /// or floats freely. Loops, soft joints and all other joints are rejected: use DirectSolver for
 /// them. Bodies, joints and settings may be changed between steps, as with rows.
 ///
-/// It never allocates in a step after the first, unless bodies or joints were added or removed.
+/// It never allocates in a step after the first, unless the program has added, removed or moved a
+/// body or a joint, or a step is divided.
 /// Sources: Featherstone, "Rigid Body Dynamics Algorithms", 2008, chapters 7 and 9.
 class Reduced {
  public:
@@ -49,8 +50,9 @@ class Reduced {
 
   /// Advances the world by one step. \param h [s] \throws std::invalid_argument as the constructor,
   /// or for an h that is not positive and finite; nothing has changed then
-  /// \throws std::runtime_error, and nothing has moved, if the iterations do not settle: a top on a
-  /// ball joint whose nutation takes less than about three steps
+  /// A tree whose gyroscopic forces change too much within the step, as those of a top on a ball
+  /// joint whose nutation takes less than about three steps, does it in up to 64 parts.
+  /// \throws std::runtime_error if that does not suffice; nothing has moved then
   /// \throws std::overflow_error if a number of a body has overflowed
   void step(World& world, real h);
 
@@ -93,6 +95,8 @@ class Reduced {
   };
   Place find(const Joint& joint) const;
   real last_h_ = 0;
+  static constexpr int most_parts = 64;
+  void leapfrog(Tree& tree, const World& world, real h);
   void build(const World& world);
   void refresh(const World& world);
   std::vector<Tree> trees_;

@@ -43,8 +43,12 @@ class Tree {
   /// The symmetric step of second order: half a kick, a drift, half a kick. The force at a pose
   /// depends on the velocities, so the first half kick is implicit. \param h [s]
   /// \param iterations of the first half kick, at least
-  /// \throws std::runtime_error if they do not settle
-  void leapfrog(real h, int iterations);
+  /// \return false if the forces change too much within the step; the state is then undefined
+  bool leapfrog(real h, int iterations);
+  /// Sums of impulses begin anew.
+  void begin_impulses() {
+    for (Drive& drive : drives_) drive.impulse = {};
+  }
   /// The Runge-Kutta method of order 4. No drives but springs without a bound. \param h [s]
   void runge_kutta(real h);
   /// Computes the accelerations at the present state; drives are off, but for springs.
@@ -70,14 +74,14 @@ class Tree {
     real inverse_mass = 0;
     vec3 inverse_inertia{0};
   };
+  struct Change {  // of angular, then of linear velocities
+    std::array<real, 2> moved{}, size{}, top{};
+  };
   bool is_free() const { return links[0].freedom == Freedom::free; }
   void place_all();
   void locate_all();
   void recursion(bool inertia, bool moving = true);
-  void half_kick(real h, bool first, int iterations);
-  struct Change {  // of angular, then of linear velocities
-    std::array<real, 2> moved{}, size{};
-  };
+  bool half_kick(real h, bool first, int iterations, Change& change);
   Change end_kick(real half);
   bool correct_places(real half, int pass, bool& inertia);
   State state_of(const TreeLink& link) const;

@@ -156,6 +156,50 @@ TEST_CASE("limits of drawn arms hold to a millionth, and a coordinate that hits 
   CHECK(gained < 0.1);
 }
 
+TEST_CASE("drawn arms with drives of every kind, strong and weak, run and keep their limits") {
+  Random random(52004);
+  double worst = 0;
+  int live = 0, ran = 0;
+  const int arms = 60;
+  for (int n = 0; n < arms; ++n) {
+    const real size = std::pow(real(10), random.uniform(-2, 1));
+    Arm arm = drawn_arm(random, 2 + n % 20, size, 1);
+    arm.world.gravity *= size;
+    const auto power = [&](real least, real most) {
+      return size * size * 10 * std::pow(real(10), random.uniform(least, most));
+    };
+    arm.for_each([&](auto& joint) {
+      const real unit = std::is_same_v<decltype(joint), SliderJoint&> ? size : real(1);
+      const int what = int(random.uniform(0, real(31.99)));
+      if (what & 1) joint.set_motor(random.uniform(-2, 2) * unit, power(-2, 2));
+      if (what & 2) joint.set_friction(power(-3, 1));
+      if (what % 3 == 0) joint.set_servo(random.uniform(-1, 1) * unit, unit, power(-1, 2));
+      if (what & 8)
+        joint.set_spring({.stiffness = power(-2, 4), .damping = power(-3, 2),
+                          .rest = random.uniform(-1, 1) * unit,
+                          .strength = what & 1 ? power(-1, 1) : unbounded});
+      joint.set_limits(-random.uniform(0, real(0.3)) * unit, random.uniform(0, real(0.3)) * unit);
+    });
+    Reduced tree(arm.world);
+    for (int k = 0; k < 60; ++k) {
+      tree.step(arm.world, h);
+      arm.for_each([&](auto& joint) {
+        const real unit = std::is_same_v<decltype(joint), SliderJoint&> ? size : real(1);
+        const real x = joint.position(arm.world.bodies);
+        const Range range = joint.limits();
+        worst = std::max({worst, double((range.lower - x) / unit),
+                          double((x - range.upper) / unit)});
+        live += tree.forces(joint).limit != 0;
+      });
+    }
+    ran += all_finite(arm.world);
+  }
+  INFO("worst " << worst << ", live " << live);
+  CHECK(ran == arms);
+  CHECK(worst < tolerance(1e-6, 1e-3));
+  CHECK(live > 5000);
+}
+
 TEST_CASE("a motor exerts its bound until it reaches its speed, then the torque that it needs") {
   Rotor rotor;
   rotor.hinge->set_motor(2, 3);  // 1 kg m^2: 2/3 s

@@ -183,7 +183,7 @@ TEST_CASE("steps by leapfrog can be undone: exactly on a fixed root, nearly in a
   CHECK(worst_free < 1e-6);
 }
 
-TEST_CASE("wheels and tops keep momentum and energy to 2.5 rad a step, or the step says no") {
+TEST_CASE("wheels and tops keep momentum and energy up to 5 rad a step") {
   if (is_float) return;
   for (const real spin : {real(30), real(60), real(93), real(150), real(300)}) {
     World car = weightless();
@@ -211,15 +211,8 @@ TEST_CASE("wheels and tops keep momentum and energy to 2.5 rad a step, or the st
     top.add<BallJoint>(post, disc, vec3(0));
     top.bodies[disc].w = vec3(spin, 0, 0);
     Reduced spinning(top);
-    const auto run = [&] {
-      for (int k = 0; k < 300; ++k) spinning.step(top, real(1) / 60);
-    };
-    if (spin > 200) {
-      CHECK_THROWS_AS(run(), std::runtime_error);
-      continue;
-    }
     const double at_rest = energy_of(top);
-    run();
+    for (int k = 0; k < 300; ++k) spinning.step(top, real(1) / 60);
     CHECK(energy_of(top) == Approx(at_rest).epsilon(3e-3));
   }
 }

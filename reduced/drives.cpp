@@ -114,7 +114,7 @@ bool Drive::right(const TreeLink& link, real base, real half, int& to, int& clip
     if (k < count && rate > thresholds[k].rate + slop) to = place + 1;
   }
   const real strength = settings.spring.strength;
-  if (settings.spring.duration_or() && strength < unbounded) {
+  if (to == place && settings.spring.duration_or() && strength < unbounded) {
     const real linear = spring - added * link.acceleration;
     clip = linear > strength ? 1 : linear < -strength ? -1 : 0;
   }

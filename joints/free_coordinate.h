@@ -93,6 +93,10 @@ class FreeCoordinate {
   }
   Range limits() const { return data_ ? data_->range : Range{}; }     ///< the limits
   Motor motor() const { return data_ ? data_->motor : Motor{}; }      ///< the motor or servo
+  /// The target of a servo [rad or m]; infinite for a motor.
+  real target() const { return data_ ? data_->target : unbounded; }
+  /// True if the coordinate has limits, a motor or servo, friction or a spring.
+  bool acts() const { return data_ && (data_->limited() || data_->pushes()); }
   real friction() const { return data_ ? data_->friction : 0; }       ///< its strength [N m or N]
   Spring spring() const { return data_ ? data_->spring : Spring{}; }  ///< the spring
 

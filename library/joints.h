@@ -12,6 +12,7 @@
 #include "joints/hinge_joint.h"
 #include "joints/rack_joint.h"
 #include "joints/slider_joint.h"
+#include "reduced/reduced.h"
 #include "engine/instruments/measure.h"
 #include "engine/instruments/rate.h"
 #include "engine/kept/joint_id.h"

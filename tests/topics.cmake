@@ -1,5 +1,5 @@
 # The workbook's own tests, on the solutions, in double and float: one program a topic.
-set(topics engine joints stability lanes ground direct bench errata fuzz)
+set(topics engine joints stability lanes ground direct reduced bench errata fuzz)
 if(TARGET bench_peers OR TARGET bench_peers_float)  # where published engines are installed
   list(APPEND topics peers)
 endif()

@@ -23,7 +23,7 @@ PROOFS_OF_THE_REST = ("workbook/numbers", "workbook/programs", "workbook/contact
                       "library/library", "library/pkg_config", "library/package")
 # What runs once more under the sanitizers: where memory is moved about. The judging of exercises
 # moves none.
-SANITIZED = ("engine", "joints", "lanes", "direct", "fuzz")
+SANITIZED = ("engine", "joints", "lanes", "direct", "reduced", "fuzz")
 LEFT_OUT = ("float, slow tests, random worlds, the chapters' programs, numbers in the texts,\n"
             "  pictures, pages in a browser, the commands, grading, counted instructions,\n"
             "  benches, published engines, the library seen from outside")

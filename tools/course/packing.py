@@ -134,10 +134,10 @@ def write_front():
 
 
 def sources():
-    """A digest of what is packed: chapters, engine, checker, direct solver, tests and the page."""
+    """A digest of what is packed: chapters, engine, checker, solvers, tests and the page."""
     digest = hashlib.sha256()
-    for top in ("chapters", "engine", "joints", "contacts", "direct", "checker", "solutions",
-                "tests", "docs/course"):
+    for top in ("chapters", "engine", "joints", "contacts", "direct", "reduced", "checker",
+                "solutions", "tests", "docs/course"):
         for path in sorted((house.ROOT / top).rglob("*")):
             if path.suffix in (".h", ".cpp", ".js", ".css", ".md"):
                 digest.update(path.read_bytes())

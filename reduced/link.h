@@ -1,0 +1,119 @@
+// One link of a tree in reduced coordinates, and the articulated-body recursion as functions of one
+// link and its parent. Given, there is nothing to edit here.
+#pragma once
+
+#include "engine/body.h"
+
+/// \defgroup reduced Reduced coordinates
+/// \brief Trees of joints with one number per degree of freedom, by the articulated-body algorithm.
+/// @{
+namespace joints {
+
+/// How a link moves relative to its parent.
+enum class Freedom : char {
+  fixed,   ///< the root of a tree: a static or kinematic body
+  free,    ///< the root of a tree: six degrees of freedom
+  weld,    ///< not at all
+  hinge,   ///< rotation about an axis of the parent
+  slider,  ///< displacement along an axis of the parent
+  ball     ///< rotation about a point of the parent
+};
+
+/// A body and the joint that connects it to its parent. All vectors and matrices are in world axes
+/// unless their names end in `_local`. A 6-vector is a pair: angular part, then linear part at the
+/// anchor A, the point of the link that its joint holds. (For a root, A is its centre.) Then S, the
+/// motion per unit of the coordinate's rate, is (a, 0) for a hinge, (0, a) for a slider and (E, 0)
+/// for a ball joint, and quantities only have to be translated to the parent's anchor, by d.
+struct TreeLink {
+  Freedom freedom = Freedom::weld;  ///< relative to the parent
+  bool held = false;   ///< the motion of the joint is known instead of its force
+  bool rotates_inertia = false;  ///< false if all principal moments are equal
+  int parent = -1;     ///< index of a link that precedes this one; -1 for a root
+  int slot = -1;       ///< of the body; -1 for a massless link inside a joint
+  vec3 axis_local{0};  ///< unit, in the parent's space
+  vec3 from_parent_local{0};  ///< from the parent's A to the joint at coordinate 0 [m, its space]
+  vec3 centre_local{0};       ///< from A to the centre of mass [m, own space]
+  quat start{1, 0, 0, 0};     ///< orientation in the parent at coordinate 0
+  quat start_axis{0, 0, 0, 0};  ///< axis_local times `start`, for a hinge
+  real mass = 0;       ///< [kg]
+  vec3 inertia_local{0};  ///< principal moments [kg m^2]
+
+  real x = 0;          ///< the coordinate [rad or m]
+  real rate = 0;       ///< its rate [rad/s or m/s]
+  vec3 centre{0};      ///< the centre of mass [m]; of a free root this is a coordinate
+  quat q{1, 0, 0, 0};  ///< orientation; of a ball joint or a free root this is a coordinate
+  vec3 w{0};           ///< angular velocity [rad/s]; of those two a velocity of the coordinates
+  vec3 v{0};           ///< velocity of the centre [m/s]; the same of a free root
+
+  mat3 R{1};           ///< of q
+  vec3 a{0};           ///< the axis
+  vec3 c{0};           ///< from A to the centre [m]
+  vec3 d{0};           ///< from the parent's A to A [m]
+  mat3 inertia{0};     ///< about the centre [kg m^2]
+  vec3 force{0};       ///< external force at the centre, with the weight [N]
+  vec3 torque{0};      ///< external torque [N m]
+
+  // The inertia of the subtree at A, [J H; H^T M]; after eliminate(), as far as the parent feels it
+  // through the joint. For a ball joint, which passes on only M: J^-1 and J^-1 H.
+  mat3 J{0};           ///< [kg m^2]
+  mat3 H{0};           ///< [kg m]
+  mat3 M{0};           ///< [kg]
+  vec3 n{0};           ///< bias torque of the subtree at A [N m]
+  vec3 f{0};           ///< bias force of the subtree [N]
+  vec3 zeta{0};        ///< angular acceleration from velocities alone [rad/s^2]
+  vec3 gamma{0};       ///< acceleration of A from velocities alone [m/s^2]
+  vec3 Uw{0};          ///< [J H; H^T M] S, the torque [kg m^2 or kg m]
+  vec3 Uv{0};          ///< the same, the force [kg m or kg]
+  real D = 0;          ///< S^T U, inertia along the coordinate [kg m^2 or kg]
+  real over_D = 0;     ///< 1 / (D + added) or 0 for a subtree without mass
+  real added = 0;      ///< inertia added along the coordinate, by implicit springs [like D]
+  real tau = 0;        ///< force of the joint along its coordinate [N m or N]
+  real k = 0;          ///< tau - S^T (n, f) [N m or N]
+  real acceleration = 0;  ///< of the coordinate [rad/s^2 or m/s^2]
+  vec3 alpha{0};       ///< angular acceleration of the body [rad/s^2]
+  vec3 a_A{0};         ///< acceleration of its point at A [m/s^2]
+};
+
+// ---- outward: poses and velocities --------------------------------------------------------------
+
+/// The pose of a child from its coordinate: q, R, a, d, c, and the inertia about its centre. A
+/// hinge rotates by x about a, a slider displaces A by x a, and a ball joint has its own q.
+void place(TreeLink& link, const TreeLink& parent);
+/// The angular velocity of a child, and the accelerations that velocities alone cause.
+/// Differentiate w = w_p + a rate and v_A = v_p + w_p x d (+ a rate for a slider) with da/dt =
+/// w_p x a and dd/dt = w_p x d (+ a rate): the terms without accelerations are zeta and gamma.
+void move(TreeLink& link, const TreeLink& parent);
+/// The linear state of a child: centre [m] and v [m/s], of those of its parent.
+void locate(TreeLink& link, const TreeLink& parent);
+
+// ---- inward: inertia and bias -------------------------------------------------------------------
+
+/// The inertia of the body alone at A: Newton and Euler about the centre, with the acceleration of
+/// the centre a_A + alpha x c + .. and the torque about A, which adds c x force.
+void begin_inertia(TreeLink& link);
+/// The bias of the body alone at A: the force and the torque at A that keep alpha = a_A = 0,
+/// less external ones.
+void begin_bias(TreeLink& link);
+/// U, D, and the inertia that the parent feels: S^T (I (A + S qdd) + (n, f)) = tau - added qdd
+/// determines qdd, and substituting it leaves I - U U^T / (D + added). A held joint, and a weld,
+/// pass on all.
+void eliminate(TreeLink& link);
+/// Adds the inertia of a child, after eliminate(), at the parent's anchor: an acceleration
+/// (alpha, a + alpha x d) of the child's point, and a force that has the lever d.
+void add_inertia(const TreeLink& link, TreeLink& parent);
+/// Adds its bias there. Computes k; for a held joint `acceleration` has to be set.
+void add_bias(TreeLink& link, TreeLink& parent);
+
+// ---- outward: accelerations ---------------------------------------------------------------------
+
+/// alpha and a_A of a child, and its `acceleration`; or for a held joint the force `tau` that the
+/// known acceleration needs.
+void accelerate(TreeLink& link, const TreeLink& parent);
+/// alpha and a_A of a free root, from the 6 x 6 inertia of the whole tree.
+void accelerate_root(TreeLink& root);
+
+/// The inverse of a symmetric positive matrix of any size of numbers; 0 for the zero matrix.
+mat3 inverse_of(const mat3& A);
+
+}  // namespace joints
+/// @}

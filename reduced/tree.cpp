@@ -1,0 +1,329 @@
+// The steps of a tree: leapfrog in the coordinates, and a Runge-Kutta method.
+#include "reduced/tree.h"
+
+#include <algorithm>
+
+namespace joints {
+
+namespace {
+
+bool is_scalar(const TreeLink& link) {
+  return link.freedom == Freedom::hinge || link.freedom == Freedom::slider;
+}
+// The orientation is a coordinate.
+bool has_orientation(const TreeLink& link) {
+  return link.freedom == Freedom::ball || link.freedom == Freedom::free;
+}
+quat rate_of(const quat& q, const vec3& w) { return real(0.5) * (quat(0, w.x, w.y, w.z) * q); }
+
+constexpr real most_growth = 4;
+
+void move_freely(TreeLink& root, real h) {
+  root.centre += h * root.v;
+  if (root.w != vec3(0)) root.q = normalize(rotation(h * root.w) * root.q);
+}
+
+}  // namespace
+
+// ---- the recursion ------------------------------------------------------------------------------
+
+void Tree::place_all() {
+  TreeLink& root = links[0];
+  place(root, root);  // a root has neither axis nor lever
+  for (std::size_t k = 1; k < links.size(); ++k) place(links[k], links[links[k].parent]);
+}
+
+void Tree::locate_all() {
+  for (std::size_t k = 1; k < links.size(); ++k) {
+    TreeLink& link = links[k];
+    move(link, links[link.parent]);
+    locate(link, links[link.parent]);
+  }
+}
+
+// All accelerations from the present poses and velocities. \param inertia also eliminate it
+// \param moving false: as if all velocities were 0
+void Tree::recursion(bool inertia, bool moving) {
+  TreeLink* const first = links.data();
+  TreeLink* const end = first + links.size();
+  for (TreeLink* link = first; link < end; ++link) {
+    if (inertia) begin_inertia(*link);
+    if (moving && link > first) move(*link, first[link->parent]);
+    begin_bias(*link);
+  }
+  for (TreeLink* link = end - 1; link > first; --link) {
+    TreeLink& parent = first[link->parent];
+    if (inertia) {
+      eliminate(*link);
+      add_inertia(*link, parent);
+    }
+    add_bias(*link, parent);
+  }
+  if (is_free()) accelerate_root(*first);
+  for (TreeLink* link = first + 1; link < end; ++link) accelerate(*link, first[link->parent]);
+}
+
+void Tree::find_accelerations() {
+  for (Drive& drive : drives_) links[drive.link].held = false;
+  set_explicit_springs();
+  recursion(true);
+  fresh_ = true;
+}
+
+Reaction Tree::reaction(std::size_t of) {
+  for (Drive& drive : drives_)
+    if (links[drive.link].held) links[drive.link].acceleration = 0;
+  recursion(fresh_);
+  // Only descendants of the link have a number as high as it and a chain of parents to it.
+  std::vector<Reaction> sums(links.size());
+  for (std::size_t k = links.size(); k-- > of;) {
+    const TreeLink& link = links[k];
+    const vec3 a = link.a_A + cross(link.alpha, link.c) + cross(link.w, cross(link.w, link.c));
+    const vec3 force = link.mass * a - link.force;
+    sums[k].force += force;
+    sums[k].torque += link.inertia * link.alpha + cross(link.w, link.inertia * link.w) -
+                      link.torque + cross(link.c, force);
+    if (k == of || link.parent < int(of)) continue;
+    Reaction& parent = sums[std::size_t(link.parent)];
+    parent.force += sums[k].force;
+    parent.torque += sums[k].torque + cross(link.d, sums[k].force);
+  }
+  return sums[of];
+}
+
+const Drive* Tree::drive_of(std::size_t link) const {
+  for (const Drive& drive : drives_)
+    if (drive.link == int(link)) return &drive;
+  return nullptr;
+}
+
+void Tree::set_explicit_springs() {
+  for (Drive& drive : drives_) {
+    TreeLink& link = links[drive.link];
+    const Spring& spring = drive.settings.spring;
+    const real force = -spring.stiffness * (link.x - spring.rest) - spring.damping * link.rate;
+    link.added = 0;
+    link.tau = std::clamp(force, -spring.strength, spring.strength);
+  }
+}
+
+// ---- leapfrog -----------------------------------------------------------------------------------
+
+bool Tree::leapfrog(real h, int iterations) {
+  Momentum before;
+  if (is_free()) before = momentum();
+  Change one, two;
+  if (!half_kick(h, true, iterations, one)) return false;
+  move_freely(links[0], h);
+  for (TreeLink& link : links) {
+    if (is_scalar(link)) link.x += h * link.rate;
+    if (link.freedom == Freedom::ball) link.q = normalize(rotation(h * link.w) * link.q);
+  }
+  place_all();
+  half_kick(h, false, 1, two);
+  fresh_ = false;
+  for (const int k : {0, 1}) {  // without blows, both halves change the velocities about equally
+    const real much = most_growth * one.size[k] + one.top[k];
+    if (!(two.size[k] <= much) && (drives_.empty() || !finite(two.size[k]))) return false;
+  }
+  locate_all();
+  if (is_free()) keep_momentum(before, h, true);
+  return true;
+}
+
+// Changes the velocities by half a step's forces. In the first half these are the forces at the
+// velocities of its end, which symmetry requires: found by iterations from the last accelerations,
+// at least `iterations`, and more while they change the result by more than a hundredth.
+// \return false if they do not settle
+bool Tree::half_kick(real h, bool first, int iterations, Change& change) {
+  constexpr int most_rounds = 60;
+  constexpr real enough = real(0.01);
+  const real half = h / 2;
+  base_rates_.resize(links.size());
+  base_w_.resize(links.size());
+  std::array<real, 2> top{};  // the greatest angular and linear velocity
+  base_v_ = links[0].v;
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    const TreeLink& link = links[k];
+    base_rates_[k] = link.rate;
+    base_w_[k] = link.w;
+    real& greatest = top[link.freedom == Freedom::slider];
+    greatest = std::max(greatest, std::abs(link.rate));
+    if (has_orientation(link)) top[0] = std::max(top[0], length(link.w));
+  }
+  if (is_free()) top[1] = std::max(top[1], length(base_v_));
+  bool inertia = !first || fresh_;
+  for (Drive& drive : drives_) {
+    TreeLink& link = links[drive.link];
+    drive.begin(link, h, first);
+    if (drive.apply(link, link.rate, half)) inertia = true;
+  }
+  if (first && !fresh_) end_kick(half);
+  int rounds = first ? iterations + int(fresh_) : 1;
+  for (int round = 0; round < rounds; ++round) {
+    for (int pass = 0;; ++pass) {
+      recursion(inertia);
+      if (!correct_places(half, pass, inertia)) break;
+    }
+    inertia = false;
+    change = end_kick(half);
+    change.top = top;
+    if (!first || round + 1 < rounds) continue;
+    const real slop[2] = {std::max(1000 * epsilon * top[0], real(1e-9) / h),
+                          std::max(1000 * epsilon * top[1], real(1e-9) * h * gravity_)};
+    bool settled = true;
+    for (const int k : {0, 1})
+      settled = settled && change.moved[k] <= enough * change.size[k] + slop[k];
+    if (!settled && ++rounds > most_rounds) return false;
+  }
+  for (Drive& drive : drives_) drive.add_impulses(links[drive.link], half);
+  return true;
+}
+
+// Sets the velocities to those that the accelerations lead to within half a step. \return how far
+// this has moved them, and how far they are from the beginning
+Tree::Change Tree::end_kick(real half) {
+  Change out;
+  const auto note = [&](int k, real moved, real size) {
+    if (!(moved <= out.moved[k])) out.moved[k] = moved;  // also NaN
+    if (!(size <= out.size[k])) out.size[k] = size;
+  };
+  const auto set_vector = [&](int k, vec3& v, const vec3& base, const vec3& acceleration) {
+    const vec3 change = half * acceleration, next = base + change;
+    note(k, length(next - v), length(change));
+    v = next;
+  };
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    TreeLink& link = links[k];
+    if (is_scalar(link)) {
+      const real change = half * link.acceleration, next = base_rates_[k] + change;
+      note(link.freedom == Freedom::slider, std::abs(next - link.rate), std::abs(change));
+      link.rate = next;
+    } else if (has_orientation(link)) {
+      set_vector(0, link.w, base_w_[k], link.alpha);
+      if (link.freedom == Freedom::free) set_vector(1, link.v, base_v_, link.a_A);
+    }
+  }
+  return out;
+}
+
+// Moves drives whose force or rate disagrees with their place to the neighbouring place: all at
+// once, and once that has not helped for some passes, only the last of them, which ends always
+// (Murty's rule of the least index). \return true if there was one
+bool Tree::correct_places(real half, int pass, bool& inertia) {
+  constexpr int patience = 5, most_passes = 2000;
+  if (pass == 0) fewest_wrong_ = int(drives_.size()) + 1, passes_without_gain_ = 0;
+  if (drives_.empty() || pass == most_passes) return false;
+  const bool one = passes_without_gain_ >= patience;
+  int wrong = 0, place = 0, clip = 0;
+  inertia = false;
+  for (auto drive = drives_.rbegin(); drive != drives_.rend(); ++drive) {
+    TreeLink& link = links[drive->link];
+    const real base = base_rates_[std::size_t(drive->link)];
+    if (drive->right(link, base, half, place, clip)) continue;
+    if (++wrong > 1 && one) continue;
+    drive->place = place;
+    drive->clipped = clip;
+    if (drive->apply(link, base, half)) inertia = true;
+  }
+  passes_without_gain_ = wrong < fewest_wrong_ ? 0 : passes_without_gain_ + 1;
+  fewest_wrong_ = std::min(fewest_wrong_, wrong);
+  return wrong > 0;
+}
+
+// ---- Runge-Kutta --------------------------------------------------------------------------------
+
+Tree::State Tree::state_of(const TreeLink& link) const {
+  return {link.x, link.rate, link.centre, link.v, link.w, link.q};
+}
+
+void Tree::set(TreeLink& link, const State& state) {
+  if (is_scalar(link)) link.x = state.x, link.rate = state.rate;
+  if (has_orientation(link)) link.q = normalize(state.q), link.w = state.w;
+  if (link.freedom == Freedom::free) link.centre = state.centre, link.v = state.v;
+}
+
+void Tree::runge_kutta(real h) {
+  constexpr real times[] = {real(0.5), real(0.5), 1, 1}, weights[] = {1, 2, 2, 1};
+  Momentum before;
+  if (is_free()) before = momentum();
+  base_.resize(links.size());
+  sum_.resize(links.size());
+  for (std::size_t k = 0; k < links.size(); ++k) base_[k] = state_of(links[k]);
+  for (int stage = 0; stage < 4; ++stage) {
+    find_accelerations();
+    const bool last = stage == 3;
+    const real time = times[stage] * h, factor = last ? h / 6 : time;
+    for (std::size_t k = 0; k < links.size(); ++k) {
+      TreeLink& link = links[k];
+      const State& base = base_[k];
+      State& sum = sum_[k];
+      if (stage == 0) sum = State{};
+      State slope;
+      if (is_scalar(link)) {
+        slope.x = link.rate, slope.rate = link.acceleration;
+        sum.x += weights[stage] * slope.x, sum.rate += weights[stage] * slope.rate;
+        const State& use = last ? sum : slope;
+        link.x = base.x + factor * use.x, link.rate = base.rate + factor * use.rate;
+      } else if (has_orientation(link)) {
+        slope = {0, 0, link.v, link.a_A, link.alpha, rate_of(link.q, link.w)};
+        sum.centre += weights[stage] * slope.centre, sum.v += weights[stage] * slope.v;
+        sum.w += weights[stage] * slope.w, sum.q = sum.q + weights[stage] * slope.q;
+        const State& use = last ? sum : slope;
+        set(link, {0, 0, base.centre + factor * use.centre, base.v + factor * use.v,
+                   base.w + factor * use.w, base.q + factor * use.q});
+      } else if (link.freedom == Freedom::fixed) {
+        link.centre = base.centre, link.q = base.q;
+        move_freely(link, time);
+      }
+    }
+    place_all();
+  }
+  locate_all();
+  if (is_free()) keep_momentum(before, h, !forced_);
+}
+
+// ---- momentum -----------------------------------------------------------------------------------
+
+Tree::Momentum Tree::momentum() const {
+  Momentum sum;
+  for (const TreeLink& link : links) {
+    sum.mass += link.mass;
+    sum.centre += link.mass * (link.centre - links[0].centre);
+    sum.linear += link.mass * link.v;
+  }
+  sum.centre = links[0].centre + sum.centre / sum.mass;
+  const vec3 v = sum.linear / sum.mass;
+  for (const TreeLink& link : links) {
+    if (link.mass == 0) continue;
+    const vec3 r = link.centre - sum.centre;
+    sum.angular += link.mass * cross(r, link.v - v) + link.inertia * link.w;
+    sum.torque += cross(r, link.force) + link.torque;
+    for (int k = 0; k < 3; ++k) {
+      vec3 axis(0);
+      axis[k] = 1;
+      sum.inertia[k] += link.inertia[k] + link.mass * cross(r, cross(axis, r));
+    }
+  }
+  return sum;
+}
+
+// Gives a free tree the momentum that external forces require, by a motion of the whole tree as one
+// rigid body. \param before at the beginning of the step \param angular also the angular momentum
+void Tree::keep_momentum(const Momentum& before, real h, bool angular) {
+  const Momentum now = momentum();
+  vec3 force(0);
+  for (const TreeLink& link : links) force += link.force;
+  const vec3 linear = before.linear + h * force;
+  const vec3 shift = before.centre + h / 2 / now.mass * (before.linear + linear) - now.centre;
+  const vec3 L = before.angular + h / 2 * (before.torque + now.torque) - now.angular;
+  const vec3 w = angular ? inverse_of(now.inertia) * L : vec3(0);
+  TreeLink& root = links[0];
+  root.v += (linear - now.linear) / now.mass + cross(w, root.centre - now.centre);
+  root.centre += shift;
+  for (TreeLink& link : links)
+    if (has_orientation(link)) link.w += w;
+  locate_all();
+}
+
+}  // namespace joints

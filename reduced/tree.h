@@ -1,0 +1,106 @@
+// One tree of links: its recursion, its steps, its momentum. Given, there is nothing to edit here.
+#pragma once
+
+#include <vector>
+
+#include "engine/kept/reaction.h"
+#include "engine/world.h"
+#include "reduced/drives.h"
+
+/// \addtogroup reduced
+/// @{
+namespace joints {
+
+/// A coordinate of a joint, whatever its kind.
+struct CoordinateSource {
+  const void* free = nullptr;  ///< the FreeCoordinate
+  const Joint* joint = nullptr;  ///< to which it belongs
+  std::size_t number = 0;        ///< of that joint, for messages
+  real (*position)(const void*, const Bodies&) = nullptr;  ///< its value [rad or m]
+  bool (*read)(const void*, DriveSettings&) = nullptr;     ///< false if nothing acts on it
+  void (*count)(const void*, real) = nullptr;  ///< tells it its value, for the turns
+};
+
+/// A root and all links that depend on it, parents before their children.
+class Tree {
+ public:
+  std::vector<TreeLink> links;  ///< the root first
+  std::vector<CoordinateSource> sources;  ///< of each link; a root has none
+
+  /// Reads poses and velocities of the bodies; those of the velocities that the joints do not
+  /// permit are removed as impulses of the joints would. \param most_gap see Reduced
+  /// \throws std::invalid_argument for poses that do not satisfy a joint
+  void read(const Bodies& bodies, real most_gap);
+  /// True if the bodies are as write() has left them. \param changed set if a mass has changed
+  bool unchanged(const Bodies& bodies, bool& changed) const;
+  /// Reads the external forces, and what acts on the coordinates. \return true if anything does
+  bool read_forces(const Bodies& bodies, const vec3& gravity);
+  /// True if springs without a bound are all that acts on the coordinates.
+  bool only_springs() const;
+  /// Writes poses and velocities to the bodies. \throws std::overflow_error unless they are finite
+  void write(Bodies& bodies) const;
+
+  /// The symmetric step of second order: half a kick, a drift, half a kick. The force at a pose
+  /// depends on the velocities, so the first half kick is implicit. \param h [s]
+  /// \param iterations of the first half kick, at least
+  /// \return false if the forces change too much within the step; the state is then undefined
+  bool leapfrog(real h, int iterations);
+  /// Sums of impulses begin anew.
+  void begin_impulses() {
+    for (Drive& drive : drives_) drive.impulse = {};
+  }
+  /// The Runge-Kutta method of order 4. No drives but springs without a bound. \param h [s]
+  void runge_kutta(real h);
+  /// Computes the accelerations at the present state; drives are off, but for springs.
+  void find_accelerations();
+  /// The forces that hold a link, at the present state and with what its coordinates do now: on
+  /// the link, about A, from the motion of the subtree by Newton and Euler.
+  Reaction reaction(std::size_t link);
+  /// What acts on the coordinate of a link; null if nothing does.
+  const Drive* drive_of(std::size_t link) const;
+
+ private:
+  struct State {  // of a link; also its derivative
+    real x = 0, rate = 0;
+    vec3 centre{0}, v{0}, w{0};
+    quat q{0, 0, 0, 0};
+  };
+  struct Momentum {
+    real mass = 0;
+    vec3 centre{0}, linear{0}, angular{0}, torque{0};  // the latter two about the centre
+    mat3 inertia{0};
+  };
+  struct Masses {
+    real inverse_mass = 0;
+    vec3 inverse_inertia{0};
+  };
+  struct Change {  // of angular, then of linear velocities
+    std::array<real, 2> moved{}, size{}, top{};
+  };
+  bool is_free() const { return links[0].freedom == Freedom::free; }
+  void place_all();
+  void locate_all();
+  void recursion(bool inertia, bool moving = true);
+  bool half_kick(real h, bool first, int iterations, Change& change);
+  Change end_kick(real half);
+  bool correct_places(real half, int pass, bool& inertia);
+  State state_of(const TreeLink& link) const;
+  void set(TreeLink& link, const State& state);
+  void set_explicit_springs();
+  Momentum momentum() const;
+  void keep_momentum(const Momentum& before, real h, bool angular);
+
+  std::vector<Drive> drives_;
+  std::vector<State> base_, sum_;  // at the beginning of a step or kick; weighted slopes
+  std::vector<Masses> masses_;
+  std::vector<real> base_rates_;
+  std::vector<vec3> base_w_;
+  vec3 base_v_{0};
+  int fewest_wrong_ = 0, passes_without_gain_ = 0;
+  real gravity_ = 0;      // its magnitude [m/s^2]
+  bool forced_ = false;   // a body has an external force or torque
+  bool fresh_ = true;     // accelerations of the last half kick are not those of this pose
+};
+
+}  // namespace joints
+/// @}

@@ -189,7 +189,7 @@ Step of_chapter_7(const Way& way, int iterations, std::shared_ptr<std::unique_pt
   loop->reset();
   return [=](World& world, real h) {
     if (!*loop) {
-      if (way.leapfrog) kick(world.bodies, world.gravity, -h / 2);
+      if (way.leapfrog) integrate_forces(world.bodies, world.gravity, -h / 2);
       *loop = own_loop(world, iterations, way.visits, way.relaxation);
     }
     (*loop)->step(h);

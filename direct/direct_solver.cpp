@@ -235,9 +235,7 @@ bool DirectSolver::forces_jumped(const Bodies& bodies) {
 
 // Solves active islands again, with the inertia that their own forces require.
 void DirectSolver::solve_again(Bodies& bodies) {
-  const auto go_back = [&](int slot) {
-    bodies.at(slot).v = before_[slot].v, bodies.at(slot).w = before_[slot].w;
-  };
+  const auto go_back = [&](int slot) { bodies.at(slot) = before_[slot]; };
   const bool outside = alternating();
   for (int slot = 0; slot < bodies.slots() && outside; ++slot)
     if (islands_.is_beside(islands_.root_of(slot))) go_back(slot);
@@ -268,7 +266,7 @@ void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
     if (!report_.iterated) return;
     report_.moved_exactly = false;
     for (int slot = 0; slot < bodies.slots(); ++slot)  // `fallback` moves all bodies
-      bodies.at(slot).x = positions_.start[slot].x, bodies.at(slot).q = positions_.start[slot].q;
+      bodies.at(slot) = positions_.start[slot];
   }
   report_.iterated ? fallback.advance(bodies, h, append) : integrate_poses(bodies, h);
 }

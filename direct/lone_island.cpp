@@ -27,14 +27,15 @@ static vec3 as_spin(const vec3& change, const vec3& phi) {
          (1 - angle / 2 / std::tan(angle / 2)) / (angle * angle) * cross(phi, once);
 }
 
-void Positions::to_start() {
+void Positions::move_bodies() {
   for_bodies([&](Body& body, int slot) {
-    body.x = own_.start[slot].x, body.q = own_.start[slot].q;
+    own_.start[slot] = body;
+    integrate_pose(body, h_);
   });
 }
 
-void Positions::move_bodies() {
-  for_bodies([&](Body& body, int) { integrate_pose(body, h_); });
+void Positions::move_back() {
+  for_bodies([&](Body& body, int slot) { body = own_.start[slot]; });
 }
 
 void Positions::keep_best() {
@@ -70,17 +71,13 @@ bool Positions::move_alone() {
   const int rows = islands_.list[from_].rows;
   now.moving = true;
   zeros(own_.C, std::size_t(rows));
-  to_start();
-  for_bodies([&](Body& body, int slot) {
-    body.v = own_.start[slot].v, body.w = own_.start[slot].w;
-  });
+  for_bodies([&](Body& body, int slot) { body = own_.begin[slot]; });
   islands_.list[from_].system.impulse = own_.impulses[from_];
   keep_best();
   std::copy_n(stored, rows, expected);
   const double least = move_by_secants(now.most);
   if (least <= now.most) return true;
   ++own_.report.projected;
-  to_start();
   back_to_best();
   if (std::isinf(least)) {
     zeros(own_.rates, std::size_t(rows));
@@ -88,7 +85,10 @@ bool Positions::move_alone() {
     change_rates(own_.rates);
   }
   for (int n = 0; !(now.exact = project(now.most)) && n < most_halved && opened(now.most); ++n) {
-    for_bodies([](Body& body, int) { body.v /= real(2), body.w /= real(2); });
+    move_back();
+    for_bodies([](Body& body, int) {
+      for (vec3* velocity : {&body.v, &body.w, &body.precession}) *velocity /= real(2);
+    });
     ++own_.report.halved;
   }
   std::fill_n(last, rows, real(0));
@@ -124,14 +124,14 @@ double Positions::move_by_secants(double most) {
     evaluate(false);
     const double now = next_error();
     if (n == 0) first = now;
-    if (!gains && now < least && (now <= most || now < small_fraction * first)) {
-      least = now;
-      keep_best();
-    }
+    const bool better = !gains && now < least && (now <= most || now < small_fraction * first);
+    if (better) least = now;
+    if (better && now <= most) return least;
+    move_back();
+    if (better) keep_best();
     if (now <= most || n == most_corrections || !std::isfinite(now)) return least;
     own_.secants.correction(own_.C, double(h_), own_.rates);
     change_rates(own_.rates);
-    to_start();
   }
 }
 
@@ -145,7 +145,6 @@ bool Positions::project(double most) {
   bool closed = false;
   keep_best();
   for (int n = 0; n < most_corrections; ++n) {
-    to_start();
     move_bodies();
     evaluate(true);
     const double now = next_error();
@@ -153,7 +152,6 @@ bool Positions::project(double most) {
     if (closed || !std::isfinite(now)) break;
     if (now < last) {
       last = now, fraction = 1;
-      keep_best();
       own_.last_C = own_.C;
       for (BoundedRow& bound : system.bounded)
         if (C_of(island, bound) != 0) bound.side = Side::free;  // a limit that is exceeded here
@@ -163,7 +161,10 @@ bool Positions::project(double most) {
                           &own_.poses.J[own_.poses.list[k].first]);
       inertia_.set_masses(island, bodies_);
       system.factor_now();
+      move_back();
+      keep_best();
     } else {
+      move_back();
       fraction /= 2;
       back_to_best();
     }
@@ -180,8 +181,8 @@ bool Positions::project(double most) {
   }
   system.factored = false;  // not that of the step
   if (closed) return true;
+  move_back();
   back_to_best();
-  to_start();
   move_bodies();
   return false;
 }

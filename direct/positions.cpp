@@ -38,10 +38,14 @@ void Positions::move(int newton, double tolerance) {
   for (int k = 0; k < count; ++k) {
     choose(k, k + 1);
     begin(tolerance);
+    // Without bounds nothing but poses has to be met, and free rotations conserve energy best.
+    if (islands_.list[k].system.bounded.empty())
+      for_bodies([](Body& body, int) { use_own_rate(body); });
   }
   choose(0, count);
   zeros(own_.C, std::size_t(islands_.rows()));
   find_corrected();
+  own_.begin.assign(bodies_.data(), bodies_.data() + bodies_.slots());
   move_onto_constraints(bodies_, double(h_), newton, 0, *this, own_.start);
   bool closed = true;
   for (int k = 0; k < count; ++k) {

@@ -35,7 +35,8 @@ class Positions : public Corrector {
   struct Memory {
     Report report;                  ///< of the last step
     std::vector<double> errors_met;  ///< the largest error before each iteration [m or rad]
-    std::vector<Body> start;        ///< the bodies before the move
+    /// The bodies before the move, with the velocities that led them where they are.
+    std::vector<Body> start;
 
    private:
     friend Positions;
@@ -54,6 +55,7 @@ class Positions : public Corrector {
     std::vector<real> expected;            // SolverMemory::expected at the beginning
     std::vector<bool> moved;               // for each slot
     std::vector<std::vector<double>> impulses;  // of each island at the beginning
+    std::vector<Body> begin;               // the bodies before the move, without corrections
     std::vector<Body> best;                // of the island: velocities to which it may go back
     std::vector<double> best_impulses;     // and impulses
     Secants secants;
@@ -90,8 +92,8 @@ class Positions : public Corrector {
   bool opened(double most);
   double twice_kinetic();
   double next_error();  // the largest one before an iteration
-  void to_start();  // the old poses
   void move_bodies();
+  void move_back();  // to the poses and the velocities before move_bodies()
   void keep_best();  // stores velocities and impulses that may have to be restored
   void back_to_best();
 

@@ -61,7 +61,8 @@ document.addEventListener("click", event => {
 // What is wider than its place scrolls with the keys, too.
 function reach() {
   for (const one of document.querySelectorAll(
-    ".fragment, .tex, .drawing, .memproto, table.markdownTable, table.markdownTable tbody")) {
+    ".fragment, .tex, .drawing, .memproto, .memdoc table, .memdoc tbody, " +
+    "table.markdownTable, table.markdownTable tbody")) {
     const wide = one.scrollWidth > one.clientWidth + 1 &&
       /auto|scroll/.test(getComputedStyle(one).overflowX);
     if (wide !== one.hasAttribute("tabindex"))

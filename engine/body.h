@@ -40,6 +40,9 @@ struct Body {
   /// joint changes them. A static body that is not kinematic stays where it is, even if v is not
   /// zero: a belt.
   bool kinematic = false;
+  bool w_is_mean = false;  ///< w contains `precession`: from use_mean_rate() to integrate_pose()
+  vec3 precession{0};      ///< what use_mean_rate() has added to w [rad/s, world]
+  vec3 mean{0};            ///< what w was then [rad/s, world]
   MatricesOfStep matrices{};      ///< of q, while a step makes its rows
 
   /// True if no force and no joint can move this body.
@@ -84,6 +87,16 @@ inline vec3 angular_response(const Body& body, const vec3& L) {
                            : rotated_inverse_inertia(body) * L;
 }
 
+/// The angular momentum of a moving body's rotation, I w [N m s, world].
+inline vec3 angular_momentum(const Body& body) {
+  return body.q * (to_local(body, body.w) / body.inverse_inertia_local);
+}
+
+/// Sets w such that the angular momentum is L [N m s, world].
+inline void set_angular_momentum(Body& body, const vec3& L) {
+  body.w = body.q * (body.inverse_inertia_local * to_local(body, L));
+}
+
 /// A body that no force moves. \param x its centre [m] \param q its orientation (normalised here)
 /// \throws std::invalid_argument unless x and q are finite and q is not zero
 Body static_body(const vec3& x, const quat& q = quat(1, 0, 0, 0));
@@ -105,20 +118,38 @@ Body body_with(real mass, const vec3& inertia_local, const vec3& x,
 /// exp(phi) = (cos |phi|/2, sin(|phi|/2) phi/|phi|), accurate down to |phi| = 0.
 quat rotation(const vec3& phi);
 
-/// Changes the velocities by gravity, external force and torque.
-/// \param gravity [m/s^2] \param h step [s]
-void kick(Body& body, const vec3& gravity, real h);
-/// Changes the angular velocity by the gyroscopic torque, as for a free body. \param h [s]
-void turn(Body& body, real h);
-/// The first part of a step: kick() and turn(). \param gravity [m/s^2] \param h step [s]
+/// Replaces w by the mean angular velocity of the next h seconds of free rotation. Rows that are
+/// solved with it hold for the rotation that the body really does, and their impulses change the
+/// angular momentum as usual. \param h step [s]
+void use_mean_rate(Body& body, real h);
+/// Takes back what use_mean_rate() has added: w is that of the body's angular momentum again.
+void use_own_rate(Body& body);
+/// Where a blow has changed the momentum of a body that rotates by 0.3 rad in a step or more: the
+/// mean rate for the new momentum. \param h step [s] \return true if w has changed
+bool renew_mean_rate(Body& body, real h);
+/// The first part of a step: changes the velocities by gravity, external force and torque, and
+/// calls use_mean_rate(). \param gravity [m/s^2] \param h step [s]
 void integrate_forces(Body& body, const vec3& gravity, real h);
 /// The largest component of a velocity at the end of a step [m/s or rad/s]. A diverging simulation
 /// continues until its impulses overflow, which step() reports.
 constexpr real max_speed = real(3e8);
 /// Scales finite velocities down to max_speed.
 void clamp_speed(Body& body);
-/// The last part of a step: clamps the velocities and changes position and orientation by them,
-/// also of kinematic bodies. \param h step [s]
+/// The rotation of a body on which no torque acts. Its angular momentum L [N m s, world] is kept,
+/// so w changes if its moments of inertia differ.
+///
+/// The energy |L|^2/(2 I_m) + L_a^2 (1/I_a - 1/I_m)/2 + L_b^2 (1/I_b - 1/I_m)/2 has three terms,
+/// with L_a and L_b along the body's axes of the largest and the smallest moment. Under each term
+/// alone the body rotates at a constant rate: by h L/I_m about L in the world, and about its own
+/// axis a by h L_a (1/I_a - 1/I_m), and about b likewise. The first rotation does not change the
+/// others, which are done in the order half of a, all of b, half of a. So the result is exact if
+/// two moments are equal, of second order and symmetric in time if they are not, and its energy
+/// oscillates without a trend. Eq. 2-11. Source: Touma and Wisdom, "Lie-Poisson integrators for
+/// rigid body dynamics in the solar system", 1994. \param h step [s]
+void rotate_freely(Body& body, real h);
+/// The last part of a step: clamps the velocities, moves the centre by h v and rotates the body by
+/// h w. It does not rotate by h w but as rotate_freely() if w is not a mean. The angular momentum
+/// is kept in both cases. A kinematic body is moved by its v and w. \param h step [s]
 void integrate_pose(Body& body, real h);
 /// Sets v and w of a kinematic body such that it is at x and q after h seconds. It keeps these
 /// velocities until the program sets others. Of the two rotations that lead to q, it takes the
@@ -126,13 +157,6 @@ void integrate_pose(Body& body, real h);
 /// \param h time until then [s], the length of a whole step, whatever its substeps
 /// \throws std::invalid_argument unless the body is kinematic, all is finite and h positive
 void move_to(Body& body, const vec3& x, const quat& q, real h);
-/// The angular velocity after a torque-free step of length h, by the implicit midpoint rule in the
-/// body's axes with three Newton iterations. When converged it conserves the energy w.(I w)/2
-/// exactly.
-/// \param moments principal moments [kg m^2] \param w angular velocity now [rad/s, body space]
-/// \param h step [s] \return new angular velocity [rad/s, body space]
-vec3 gyroscopic_midpoint(const vec3& moments, const vec3& w, real h);
-
 /// Identifies a body until it is removed: a slot of the array, and a count by which ids of removed
 /// bodies and of other arrays are detected.
 struct BodyId {
@@ -210,17 +234,11 @@ class HeldMatrices {
 inline void integrate_forces(Bodies& bodies, const vec3& gravity, real h) {
   for (Body& body : bodies) integrate_forces(body, gravity, h);
 }
+/// renew_mean_rate() for all bodies. \return true if one of them has changed
+bool renew_mean_rates(Bodies& bodies, real h);
 /// integrate_pose() for all bodies.
 inline void integrate_poses(Bodies& bodies, real h) {
   for (Body& body : bodies) integrate_pose(body, h);
-}
-/// kick() for all bodies.
-inline void kick(Bodies& bodies, const vec3& gravity, real h) {
-  for (Body& body : bodies) kick(body, gravity, h);
-}
-/// turn() for all bodies.
-inline void turn(Bodies& bodies, real h) {
-  for (Body& body : bodies) turn(body, h);
 }
 
 }  // namespace joints

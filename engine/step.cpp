@@ -3,6 +3,10 @@
 
 namespace joints {
 
+// How often a step is solved again at most because blows have changed momenta: a renewed mean rate
+// changes the impulses, but less each time.
+static constexpr int most_renewals = 3;
+
 void step(World& world, Solver& solver, real h, bool warm_start, const StepMethod& method) {
   begin_step(world, solver, h, warm_start, method);
   solve_step(world, solver, h, method);
@@ -30,15 +34,17 @@ void begin_step(World& world, Solver& solver, real h, bool warm_start, const Ste
 
 void solve_step(World& world, Solver& solver, real h, const StepMethod& method) {
   Blocks& blocks = world.blocks;
-  solver.solve(world.bodies);
-  for (;;) {  // late limits: the new velocities would pass them within this step
-    const int known = int(blocks.list.size());
-    for (const auto& joint : world.joints())
-      if (joint->can_move()) joint->activate_missed_limits(world.bodies, h, blocks);
-    if (int(blocks.list.size()) == known) return;
-    method.change_blocks(blocks, known);
-    solver.prepare(world.bodies, blocks, known, h);
+  for (int renewals = 0;;) {
     solver.solve(world.bodies);
+    const int known = int(blocks.list.size());
+    for (const auto& joint : world.joints())  // late limits: passed within this step otherwise
+      if (joint->can_move()) joint->activate_missed_limits(world.bodies, h, blocks);
+    if (int(blocks.list.size()) > known) {
+      method.change_blocks(blocks, known);
+      solver.prepare(world.bodies, blocks, known, h);
+    } else if (++renewals > most_renewals || !renew_mean_rates(world.bodies, h)) {
+      return;
+    }
   }
 }
 

@@ -162,8 +162,8 @@ class EndRows {
     static_assert(Part::rows == 1 && Part::one_sided && Part::form == Form::angular);
     const Body &a = bodies[body1], &b = bodies[body2];
     Body end1 = a, end2 = b;
-    end1.q = normalize(rotation(h * a.w) * a.q);
-    end2.q = normalize(rotation(h * b.w) * b.q);
+    integrate_pose(end1, h);
+    integrate_pose(end2, h);
     const real C = part.error(end1, end2);
     if (count_ == most || C > -tolerance || part.error(a, b) < -tolerance) return;
     const vec3 n = part.jacobian(end1, end2).w1;

@@ -37,7 +37,7 @@ struct Drive {
   DriveSettings settings;  ///< of this step
   std::array<Threshold, 4> thresholds{};  ///< by increasing rate
   int count = 0;           ///< number of thresholds
-  std::array<real, 2> constant{};  ///< force of a motor or friction beyond a limit [N m or N]
+  std::array<real, 4> constant{};  ///< force of a motor or friction beyond a limit [N m or N]
   int place = 0;           ///< 2 k: between thresholds k - 1 and k; 2 k + 1: at threshold k
   int held_item = -1;      ///< the item of the last half step's threshold; -1: at none
   real spring = 0;         ///< force of the spring at acceleration 0 [N m or N]

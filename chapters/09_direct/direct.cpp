@@ -73,8 +73,8 @@ bool move_onto_constraints(Bodies& bodies, double h, int iterations, double tole
                            Corrector& corrector, std::vector<Body>& start) {
   // begin [exercise 9.6]
   // Change the velocities until the bodies end where all errors are at most the tolerance, by
-  // Eq. 9-10. Store the bodies as they were in `start`. The condition for stopping and the result
-  // are stated in direct.h.
+  // Eq. 9-10. Store the bodies in `start` before each move: it changes poses and angular
+  // velocities. The condition for stopping and the result are stated in direct.h.
   todo("9.6");
   // end [exercise 9.6]
 }

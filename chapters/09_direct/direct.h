@@ -115,7 +115,7 @@ constexpr double poor_contraction = 0.7;
 /// most `tolerance` at the new poses, Eq. 9-10.
 /// \param iterations how often the velocities are changed at most
 /// \param tolerance the largest error that is accepted [m or rad]
-/// \param start receives the bodies at the beginning; its former contents do not matter
+/// \param start receives the bodies before the last move; its former contents do not matter
 /// \param corrector its errors are numbers: none is undefined
 /// \return true if every error at the new poses is at most `tolerance`; false if the iterations
 /// were used up, or if one of them multiplied the error by more than poor_contraction

@@ -117,6 +117,7 @@ void restore(World& world, const State& state) {
     throw;
   }
   world.blocks.clear();  // of another step
+  for (Body& body : world.bodies) body.w_is_mean = false;  // nor is it within a step
 }
 
 }  // namespace joints

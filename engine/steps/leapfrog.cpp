@@ -1,4 +1,4 @@
-// Half a step of rotation before the bodies move, half of it after.
+// Forces act from the middle of the last step to the middle of this one.
 #include "engine/steps/leapfrog.h"
 
 #include <utility>
@@ -10,14 +10,8 @@ namespace joints {
 
 real Leapfrog::integrate_forces(World& world, real h) const {
   const real duration = (world.last_h + h) / 2;
-  kick(world.bodies, world.gravity, duration);  // Eq. 9-9
+  joints::integrate_forces(world.bodies, world.gravity, duration);  // Eq. 9-9
   return duration;
-}
-
-void Leapfrog::move(World& world, Solver& solver, real h) const {
-  turn(world.bodies, h / 2);
-  StepMethod::move(world, solver, h);
-  turn(world.bodies, h / 2);
 }
 
 Bodies velocities_at_pose_time(World& world, Solver& solver, bool warm_start) {
@@ -25,7 +19,8 @@ Bodies velocities_at_pose_time(World& world, Solver& solver, bool warm_start) {
   const State now = save(world);
   const real half = world.last_h / 2;
   Blocks& blocks = world.blocks;
-  kick(world.bodies, world.gravity, half);
+  joints::integrate_forces(world.bodies, world.gravity, half);
+  for (Body& body : world.bodies) use_own_rate(body);
   blocks.clear();
   for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
   for (Block& block : blocks.list)

@@ -8,13 +8,10 @@
 namespace joints {
 
 /// Leapfrog (Eq. 9-9). Forces act for the mean of the lengths of the last step and this one, so for
-/// h/2 in the first step. Half of the gyroscopic torque acts before the bodies move, and half
-/// after. The speed of a motor is set before the first of these halves, so between elongated bodies
-/// it deviates by the effect of that half.
+/// h/2 in the first step.
 class Leapfrog : public StepMethod {
  public:
   real integrate_forces(World& world, real h) const override;
-  void move(World& world, Solver& solver, real h) const override;
 };
 
 /// The bodies with velocities at the time of their poses. After a step with leapfrog, velocities

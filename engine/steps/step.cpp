@@ -22,9 +22,6 @@ class Chosen : public StepMethod {
     if (how_.frequency > 0) soften(blocks, first, how_.frequency, how_.damping);
     if (how_.row_by_row) split_into_rows(blocks, first);
   }
-  void move(World& world, Solver& solver, real h) const override {
-    how_.leapfrog ? Leapfrog().move(world, solver, h) : StepMethod::move(world, solver, h);
-  }
 
  private:
   const StepOptions& how_;

@@ -23,6 +23,7 @@ void TwoPassImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int fi
 
 void TwoPassImpulses::advance(Bodies& bodies, real h, const Append& append) {
   if (split_iterations > 0) return advance_split(bodies, h);
+  if (relax_iterations > 0) start_.assign(bodies.data(), bodies.data() + bodies.slots());
   SequentialImpulses::advance(bodies, h, append);
   if (relax_iterations > 0) relax(bodies, h);
 }
@@ -46,7 +47,20 @@ void TwoPassImpulses::relax(Bodies& bodies, real h) {
   const Blocks& blocks = blocks_of(bodies);
   for (PreparedBlock& block : prepared_.blocks)
     if (block.corrects) retarget(block, blocks, without_feedback(block.target), h);
+  // The rows are those of the old poses, and so are the velocities: there an impulse changes the
+  // angular momenta of two bodies by opposite amounts. In the new poses w follows from them.
+  std::swap_ranges(start_.begin(), start_.end(), bodies.data());
   for (int i = 0; i < relax_iterations; ++i) iterate(bodies);  // Eq. 6-15
+  std::swap_ranges(start_.begin(), start_.end(), bodies.data());
+  for (int slot = 0; slot < bodies.slots(); ++slot) {
+    Body &body = bodies.at(slot), &before = start_[slot];
+    if (body.is_static()) continue;
+    use_own_rate(before);
+    clamp_speed(before);
+    body.v = before.v;
+    if (body.is_isotropic()) body.w = before.w;
+    else set_angular_momentum(body, angular_momentum(before));
+  }
 }
 
 void TwoPassImpulses::advance_split(Bodies& bodies, real h) {
@@ -78,12 +92,12 @@ void TwoPassImpulses::advance_split(Bodies& bodies, real h) {
   prepared_.blocks.swap(split_blocks_);
   for (int i = 0; i < split_iterations; ++i) iterate(bodies);  // Eq. 6-13
   prepared_.blocks.swap(split_blocks_);
-  for_bodies([h](Body& body, const auto& kept) {
-    body.v += kept.first;
-    body.w += kept.second;
-    integrate_pose(body, h);  // Eq. 6-14
-    body.v = kept.first;
-    body.w = kept.second;
+  for_bodies([h](Body& body, auto& kept) {
+    std::swap(body.v, kept.first);
+    std::swap(body.w, kept.second);
+    integrate_pose(body, h);
+    body.x += h * kept.first;  // Eq. 6-14
+    if (kept.second != vec3(0)) body.q = normalize(rotation(h * kept.second) * body.q);
   });
 }
 

@@ -36,6 +36,7 @@ class TwoPassImpulses : public SequentialImpulses {
   void relax(Bodies& bodies, real h);
   void advance_split(Bodies& bodies, real h);
 
+  std::vector<Body> start_;  // the bodies before the move, for the relax iterations
   // For the split impulses: the blocks, an impulse per row, v and w of each body.
   std::vector<PreparedBlock> split_blocks_;
   std::vector<real> split_impulses_;

@@ -118,7 +118,7 @@ void second_order_step(World& world, Solver& solver, real h) {
   // Advance the world by one step of second order with all its joints: Eq. 9-9, then all that the
   // poses need, symmetric in time. The solver starts cold. world.last_h is the length of the last
   // step, and 0 before the first one.
-  kick(world.bodies, world.gravity, (world.last_h + h) / 2);
+  integrate_forces(world.bodies, world.gravity, (world.last_h + h) / 2);  // Eq. 9-9
   world.last_h = h;
   world.blocks.clear();
   for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h);
@@ -126,9 +126,7 @@ void second_order_step(World& world, Solver& solver, real h) {
   solver.prepare(world.bodies, world.blocks, 0, h);
   solver.warm_start(world.bodies, 0);
   solver.solve(world.bodies);
-  turn(world.bodies, h / 2);
   integrate_poses(world.bodies, h);
-  turn(world.bodies, h / 2);  // Eq. 9-9
   // end [exercise 9.5]
 }
 
@@ -136,11 +134,11 @@ bool move_onto_constraints(Bodies& bodies, double h, int iterations, double tole
                            Corrector& corrector, std::vector<Body>& start) {
   // begin [exercise 9.6]
   // Change the velocities until the bodies end where all errors are at most the tolerance, by
-  // Eq. 9-10. Store the bodies as they were in `start`. The condition for stopping and the result
-  // are stated in direct.h.
-  start.assign(bodies.data(), bodies.data() + bodies.slots());
+  // Eq. 9-10. Store the bodies in `start` before each move: it changes poses and angular
+  // velocities. The condition for stopping and the result are stated in direct.h.
   double last = std::numeric_limits<double>::infinity();
   for (int n = 0;; ++n) {
+    start.assign(bodies.data(), bodies.data() + bodies.slots());
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
     double largest = 0;
@@ -151,9 +149,8 @@ bool move_onto_constraints(Bodies& bodies, double h, int iterations, double tole
     if (largest <= tolerance) return true;
     if (n == iterations || !(largest <= poor_contraction * last)) return false;
     last = largest;
+    std::copy(start.begin(), start.end(), bodies.data());
     corrector.change_rates(rates);
-    for (int slot = 0; slot < bodies.slots(); ++slot)
-      bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
   }
   // end [exercise 9.6]
 }

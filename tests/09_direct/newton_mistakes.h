@@ -43,17 +43,19 @@ inline Pieces<NewtonReference> wrong_newtons() {
        rate([](double C, double h) { return -std::abs(C) / h; })},
       {"#not-put-back the bodies are not put back: they move from their first places each time",
        [](T& t) { t.back = T::Back::none; }},
-      {"#only-x-put-back q is not put back: x and q of every body",
+      {"#only-x-put-back only x is put back: every body as it was",
        [](T& t) { t.back = T::Back::x; }},
-      {"#only-q-put-back x is not put back: x and q of every body",
+      {"#only-q-put-back only q is put back: every body as it was",
        [](T& t) { t.back = T::Back::q; }},
-      {"#all-put-back the velocities are put back, too: their change is lost, only x and q are "
-       "put back",
-       [](T& t) { t.back = T::Back::all; }},
-      {"the velocities are put back before each correction: the corrections add up",
-       [](T& t) { t.only_last = true; }},
-      {"`start` is written again in each iteration: once, before the first",
-       [](T& t) { t.start_each_time = true, t.back = T::Back::none; }},
+      {"#only-poses-put-back only the poses are put back: the move has changed the angular "
+       "velocities, too",
+       [](T& t) { t.back = T::Back::pose; }},
+      {"#all-put-back the bodies are put back after their velocities were changed: the change is "
+       "lost, put them back first",
+       [](T& t) { t.change_first = true; }},
+      {"#start-written-once `start` is written once: before each move, so that the corrections add "
+       "up",
+       [](T& t) { t.start_once = true; }},
       {"`start` does not hold the bodies as they were: the caller restores "
        "them from it if there is no such pose",
        [](T& t) { t.keeps_start = false; }},
@@ -103,9 +105,6 @@ inline Pieces<NewtonReference> wrong_newtons() {
        [](T& t) { t.poor_breaks = true; }},
       {"#largest-not-begun-anew the largest error is not begun anew in each iteration: from 0",
        [](T& t) { t.keeps_largest = true; }},
-      {"#velocities-put-back-poor the angular velocity is put back, too: its change is lost, only "
-       "x and q are put back",
-       [](T& t) { t.w_back = true; }},
       {"#last-body-not-put the last body is not put back: all slots",
        [](T& t) { t.last_back = 1; }},
       {"#static-body-taken-first the first body is not put back: all slots from 0",
@@ -115,11 +114,6 @@ inline Pieces<NewtonReference> wrong_newtons() {
       {"#start-written-after-bodies `start` is written after the bodies have moved: before, as "
        "they were",
        [](T& t) { t.start_moved = true; }},
-      {"`start` keeps its old contents: they do not matter, assign() it",
-       [](T& t) { t.adds_to_start = true; }},
-      {"#start-kept-each-iteration `start` is written again in each iteration: the velocities in "
-       "it are changed ones then",
-       [](T& t) { t.start_each_time = true; }},
       {"#one-iteration-too-many one iteration too many: n < iterations", [](T& t) { t.more = 1; }},
       {"#one-iteration-too-few one iteration too few: from 0 while n < iterations",
        [](T& t) { t.more = -1; }},

@@ -19,9 +19,9 @@ struct NewtonReference {
   double poor = poor_contraction;
   bool strictly_near = false, strictly_poor = false, asks_near = true, asks_poor = true;
   bool poor_first = false, moves_first = true;
-  bool moves_again = false, start_each_time = false, changes = true, keeps_start = true;
+  bool moves_again = false, start_once = false, changes = true, keeps_start = true;
   bool last_by_first = false, sizes_of_rates = false;
-  enum class Back { none, x, q, pose, all } back = Back::pose;
+  enum class Back { none, x, q, pose, all } back = Back::all;
   /// After the last correction: right, or these without asking errors().
   enum class End { right, stay, true_unseen, false_unseen } end = End::right;
   enum class Result { right, poor_is_true, end_is_true, near_is_false, always_false } result =
@@ -31,19 +31,18 @@ struct NewtonReference {
   double move_h = 1, last_h = 1;  ///< of the moves before corrections, and of the last one
   double first_last = std::numeric_limits<double>::infinity();
   bool asks_before = false, poor_breaks = false, poor_late = false, changes_twice = false;
-  bool zero_does_nothing = false, keeps_largest = false, w_back = false, start_moved = false;
-  bool adds_to_start = false, near_of_last = false, only_last = false, count_first = false;
+  bool zero_does_nothing = false, keeps_largest = false, start_moved = false;
+  bool near_of_last = false, change_first = false, count_first = false;
   int last_back = 0;  ///< so many at the end are not put back
 
   bool move(Bodies& bodies, double h, int iterations, double tolerance, Corrector& corrector,
             std::vector<Body>& start) const {
-    const auto keep = [&] {
-      if (!adds_to_start) start.clear();
-      start.insert(start.end(), bodies.data(), bodies.data() + bodies.slots());
-    };
     if (zero_does_nothing && iterations == 0) return true;
-    std::vector<Body> own(bodies.data(), bodies.data() + bodies.slots());
-    if (keeps_start) keep();
+    std::vector<Body> own;
+    const auto keep = [&] {
+      own.assign(bodies.data(), bodies.data() + bodies.slots());
+      if (keeps_start) start = own;
+    };
     const auto answer = [&](bool right) { return result != Result::always_false && right; };
     double last = first_last, before = 0;
     const double enough = own_tolerance > 0 ? own_tolerance : tolerance;
@@ -52,10 +51,10 @@ struct NewtonReference {
     };
     const int most = std::max(least, iterations + more);
     for (int n = 0; n < 99; ++n) {
-      if (start_each_time && n > 0) keep(), own = start;
+      if (n == 0 || !start_once) keep();
       if (n == most && end == End::stay) return true;
       if (moves_first) integrate_poses(bodies, real((n < most ? move_h : last_h) * h));
-      if (start_moved && n == 0) keep(), own = start;
+      if (start_moved) keep();
       if (n == most && end != End::right) return end == End::true_unseen;
       for (int again = 1; again < asks; ++again) corrector.errors();
       std::vector<double>& rates = corrector.errors();
@@ -79,17 +78,18 @@ struct NewtonReference {
         return near(norm(corrector.errors()));
       }
       if (!(last_by_first && n > 0)) last = largest;
-      for (int k = 0; only_last && k < bodies.slots(); ++k)
-        bodies.at(k).v = own[std::size_t(k)].v, bodies.at(k).w = own[std::size_t(k)].w;
-      if (changes) corrector.change_rates(rates);
-      if (changes_twice) corrector.change_rates(rates);
+      const auto change = [&] {
+        if (changes) corrector.change_rates(rates);
+        if (changes_twice) corrector.change_rates(rates);
+      };
+      if (change_first) change();
       for (int k = first_back; k < bodies.slots() - last_back; ++k) {
         Body& body = bodies.at(k);
         if (back == Back::all) body = own[std::size_t(k)];
         if (back == Back::x || back == Back::pose) body.x = own[std::size_t(k)].x;
         if (back == Back::q || back == Back::pose) body.q = own[std::size_t(k)].q;
-        if (w_back) body.w = own[std::size_t(k)].w;
       }
+      if (!change_first) change();
     }
     return false;
   }

@@ -10,27 +10,21 @@ namespace joints::testing {
 inline const char* const told_poses_before_solve =
     "#poses-before-solve the bodies move before solve(): by the new velocities, behind it";
 
-inline const char* const told_poses_around =
-    "the bodies move half before the turns and half after: it is the turns that are halves, "
-    "around integrate_poses()";
-
 /// The parts of a step, each of which a mistake may change.
 struct TimeReference {
   TimeCase c;
   Call<real(real last, real h)> kick_length = [](real last, real h) {
     return (last + h) / 2;
   };
-  bool keeps_h = true, kicks = true, euler = false, clears = true, begins = true, appends = true;
+  bool keeps_h = true, kicks = true, clears = true, begins = true, appends = true;
   bool warms = true, poses_first = false, kick_last = false;
   real begin_h = 1, prepare_h = 1, pose_h = 1, ratio = 0;
   bool begin_mean = false, prepare_mean = false;
   int solves = 1, poses = 1;
-  real before_solve = 0, before = real(0.5), after = real(0.5);  ///< turns, as shares of h
-  int turns = 1;  ///< how often each
   real kick_at_end = 0;  ///< share of h
   bool keeps_mean = false, gravity_alone = false, earth = false, poses_at_once = false;
   bool only_y = false, appends_first = false;
-  bool poses_before_solve = false, poses_around = false;
+  bool poses_before_solve = false;
 
   void step(World& world, Solver& solver, real h) const {
     Bodies& bodies = world.bodies;
@@ -39,18 +33,12 @@ struct TimeReference {
     const vec3 gravity = earth    ? vec3(0, real(-9.81), 0)
                          : only_y ? vec3(0, world.gravity.y, 0)
                                   : world.gravity;
-    const auto turned = [&](real share) {
-      if (share > 0)
-        for (int n = 0; n < turns; ++n) turn(bodies, share * h);
-    };
-    if (euler) integrate_forces(bodies, gravity, length);
-    else if (gravity_alone)
+    if (gravity_alone)
       for (int k = 0; k < bodies.slots(); ++k)
         bodies.at(k).v += (bodies.at(k).is_static() ? 0 : length) * gravity;
-    else if (kicks && !kick_last) kick(bodies, gravity, length);
+    else if (kicks && !kick_last) integrate_forces(bodies, gravity, length);
     if (keeps_h) world.last_h = keeps_mean ? length : h;
     if (poses_first) integrate_poses(bodies, h);
-    turned(before_solve);
     if (clears) world.blocks.clear();
     if (appends_first)
       for (const auto& joint : world.joints()) joint->append(bodies, world.blocks);
@@ -63,24 +51,19 @@ struct TimeReference {
     if (warms) solver.warm_start(bodies, ratio);
     if (poses_before_solve) integrate_poses(bodies, h);
     for (int n = 0; n < solves; ++n) solver.solve(bodies);
-    if (kick_last) kick(bodies, world.gravity, length);
-    if (poses_around) integrate_poses(bodies, h / 2);
-    turned(before);
-    if (!poses_first && !poses_at_once && !poses_before_solve && !poses_around)
+    if (kick_last) integrate_forces(bodies, world.gravity, length);
+    if (!poses_first && !poses_at_once && !poses_before_solve)
       for (int n = 0; n < poses; ++n) integrate_poses(bodies, pose_h * h);
-    turned(after);
-    if (poses_around) integrate_poses(bodies, h / 2);
-    if (kick_at_end > 0) kick(bodies, gravity, kick_at_end * h);
+    if (kick_at_end > 0) integrate_forces(bodies, gravity, kick_at_end * h);
   }
 };
 
 inline Pieces<TimeReference> wrong_times() {
   using T = TimeReference;
   const auto length = [](auto of) { return [=](T& t) { t.kick_length = of; }; };
-  const char* const halves = "turn() half of h before the bodies move, and half of h after";
   return {
       {"#kick-full-h forces act for the whole of h: for the mean of the last step and this one. "
-       "Is world.last_h set before kick()?",
+       "Is world.last_h set before them?",
        length([](real, real h) { return h; })},
       {"#kick-half-h forces act for half of h: for the mean of the last step and this one",
        length([](real, real h) { return h / 2; })},
@@ -107,30 +90,22 @@ inline Pieces<TimeReference> wrong_times() {
        [](T& t) { t.appends_first = true; }},
       {"#only-y-gravity only the y of gravity acts: world.gravity is a vector",
        [](T& t) { t.only_y = true; }},
-      {"#no-kick no forces act: kick() the bodies",
+      {"#no-kick no forces act: integrate_forces()",
        [](T& t) { t.kicks = false; }},
-      {"#integrate-forces integrate_forces() turns the bodies, too: kick() alone, the turns come "
-       "later",
-       [](T& t) { t.euler = true; }},
-      {"#engine-step-without-leapfrog this is the step of semi-implicit Euler: kick() for the "
-       "mean, and turn() half before and half after the bodies move",
-       [](T& t) {
-         t.euler = true, t.before = t.after = 0;
-         t.kick_length = [](real, real h) { return h; };
-       }},
-      {"#kick-behind-solve kick() comes after solve(): the forces must act before the impulses",
+      {"#kick-behind-solve the forces act after solve(): they must act before the impulses",
        [](T& t) { t.kick_last = true; }},
       {"#last-h-gets-mean the mean is kept in world.last_h: h, the length of this step",
        [](T& t) { t.keeps_mean = true; }},
-      {"#another-half-kick-end a second kick() at the end: forces act once, for the mean of the "
-       "last step and this one",
+      {"#another-half-kick-end forces act again at the end: only once, for the mean of the last "
+       "step and this one",
        [](T& t) { t.kick_at_end = real(0.5); }},
-      {"two kicks of half of h: forces act once, for the mean of the last step and this one",
+      {"forces act twice for half of h: once, for the mean of the last step and this one",
        [](T& t) {
          t.kick_at_end = real(0.5);
          t.kick_length = [](real, real h) { return h / 2; };
        }},
-      {"#gravity-alone force and torque of the bodies are forgotten: kick() has all of it",
+      {"#gravity-alone force and torque of the bodies are forgotten: integrate_forces() has all of "
+       "it",
        [](T& t) { t.gravity_alone = true; }},
       {"#earth-s-gravity gravity is another one: world.gravity", [](T& t) { t.earth = true; }},
       {"#last-h-not-kept h is not kept in world.last_h: the next step's mean needs it",
@@ -160,36 +135,11 @@ inline Pieces<TimeReference> wrong_times() {
        [](T& t) { t.warms = false; }},
       {"#solve-missing solve() is missing: no joint holds", [](T& t) { t.solves = 0; }},
       {"#solve-twice solve() twice: once", [](T& t) { t.solves = 2; }},
-      {std::string("turn() is missing: ") + halves,
-       [](T& t) { t.before = t.after = 0; }},
-      {std::string("the second turn() is missing: ") + halves, [](T& t) { t.after = 0; }},
-      {std::string("the first turn() is missing: ") + halves, [](T& t) { t.before = 0; }},
-      {std::string("turn() for all of h before the bodies move: ") + halves,
-       [](T& t) { t.before = 1, t.after = 0; }},
-      {std::string("turn() for all of h after the bodies have moved: ") + halves,
-       [](T& t) { t.before = 0, t.after = 1; }},
-      {std::string("turn() for all of h both times: ") + halves,
-       [](T& t) { t.before = t.after = 1; }},
-      {std::string("both turns before the bodies move: ") + halves,
-       [](T& t) { t.turns = 2, t.after = 0; }},
-      {std::string("both turns after the bodies have moved: ") + halves,
-       [](T& t) { t.turns = 2, t.before = 0; }},
-      {"#turn-before-solve turn() before solve(): the joints hold the velocities as they were, "
-       "both turns come behind solve()",
-       [](T& t) { t.before_solve = real(0.5), t.before = 0; }},
-      {"turn() for all of h before solve(): half of h before the bodies move and half after, both "
-       "behind solve()",
-       [](T& t) { t.before_solve = 1, t.before = t.after = 0; }},
-      {"a third turn() before solve(): two of them, both behind solve()",
-       [](T& t) { t.before_solve = real(0.5); }},
-      {"#poses-missing the bodies do not move: integrate_poses() between the two turns",
+      {"#poses-missing the bodies do not move: integrate_poses()",
        [](T& t) { t.poses = 0; }},
       {"the bodies move twice: integrate_poses() once", [](T& t) { t.poses = 2; }},
-      {"#poses-half-h the bodies move for half of h: only the turns are halves",
+      {"#poses-half-h the bodies move for half of h: for all of it",
        [](T& t) { t.pose_h = real(0.5); }},
-      {told_poses_around, [](T& t) { t.poses_around = true; }},
-      {told_poses_around,
-       [](T& t) { t.poses_around = true, t.before = 1, t.after = 0; }},
       {told_poses_before_solve,
        [](T& t) { t.poses_before_solve = true; }},
       {"#poses-at-first the bodies move at first: by the new velocities, behind solve()",

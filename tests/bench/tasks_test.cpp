@@ -26,7 +26,7 @@ double miss(const MakeScene& make, const std::string& method, int steps) {
 TEST_CASE("an arm whose joints and drives are exact has its tool where their angles put it") {
   CHECK(miss(arm, "placed", 60) < tolerance(0.02, 0.5));      // [mm]
   CHECK(miss(arm, "plain", 60) > 0.1);                        // velocities alone drift
-  CHECK(miss(arm, "shake", 60) > 3 * miss(arm, "placed", 60));  // a drive and the gyroscopic torque
+  CHECK(miss(arm, "shake", 60) < tolerance(0.02, 0.5));       // with and without leapfrog
   CHECK(miss(arm, "si30", 60) > 100);
 }
 

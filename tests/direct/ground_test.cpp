@@ -194,6 +194,6 @@ TEST_CASE("a mechanism moves as without the crate that falls on rough ground bes
       const std::vector<vec3> without = places_beside(false, seed, alone),
                               with_it = places_beside(true, seed, beside);
       for (std::size_t k = 0; k < without.size(); ++k)  // but for the order of the islands
-        CHECK(double(length(with_it[k] - without[k])) < (sizeof(real) == 4 ? 1e-5 : 1e-12));
+        CHECK(double(length(with_it[k] - without[k])) < (sizeof(real) == 4 ? 1e-4 : 1e-12));
     }
 }

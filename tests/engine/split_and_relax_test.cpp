@@ -66,6 +66,10 @@ struct Torn {
     push_at_random(world.bodies, random, 1);
     for (int k = 1; k <= count; ++k) world.bodies.at(k).x += random.vector(real(0.02));
   }
+  // Then w of a body does not depend on the pose to which it is moved.
+  void make_isotropic() {
+    for (Body& body : world.bodies) body.inverse_inertia_local = vec3(body.inverse_inertia_local.x);
+  }
   double gap() const {
     double most = 0;
     for (const BallJoint* joint : joints)
@@ -162,6 +166,7 @@ TEST_CASE("after the relax iterations J V is zero as well as their number can ma
   // with the same J, an iteration of block Gauss-Seidel leaves rho of the error in the long run
   const auto left = [](int relax_iterations) {
     Torn torn(6);
+    torn.make_isotropic();
     TwoPassImpulses solver = relaxing(relax_iterations, 200);
     step(torn.world, solver, h);
     return largest_rate(torn.world);
@@ -212,8 +217,13 @@ TEST_CASE("relax iterations come after the bodies have moved and go on with the 
     for (std::size_t i = 0; i < 3; ++i)
       CHECK(double(relaxed.joints[k]->impulse()[i]) ==
             Approx(double(plain.joints[k]->impulse()[i])).margin(tolerance(1e-11, 1e-4)));
-  CHECK(difference(velocities(snapshot(relaxed.world.bodies)),
-                   velocities(snapshot(plain.world.bodies))) < tolerance(1e-11, 1e-4));
+  // and so are the momenta; the bodies have been rotated further, so their w is another one
+  for (int slot = 1; slot < plain.world.bodies.slots(); ++slot) {
+    const Body &one = relaxed.world.bodies.at(slot), &other = plain.world.bodies.at(slot);
+    CHECK(double(length(one.v - other.v)) < tolerance(1e-11, 1e-4));
+    CHECK(double(length(angular_momentum(one) - angular_momentum(other))) <
+          tolerance(1e-11, 1e-4));
+  }
 }
 
 TEST_CASE("a split impulse changes no velocity and no impulse of a step without feedback") {
@@ -234,6 +244,7 @@ TEST_CASE("a split impulse changes no velocity and no impulse of a step without 
 TEST_CASE("row by row both come to the same places and velocities as block by block") {
   for (const TwoPassImpulses& kind : {relaxing(3000, 3000), splitting(3000, 3000)}) {
     Torn blocks(4), rows(4);
+    for (Torn* torn : {&blocks, &rows}) torn->make_isotropic();
     TwoPassImpulses solver = kind, by_rows = kind;
     for (StepOptions how : {StepOptions{}, StepOptions{.frequency = 5}}) {
       step(blocks.world, solver, h, how);

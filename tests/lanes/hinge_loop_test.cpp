@@ -188,13 +188,15 @@ TEST_CASE("preparing in every solve changes no bit because no pose changes withi
     const vec3 turn = h * next.bodies[slot].w;
     const double angle = double(length(turn));
     CHECK(double(length(moved - r - cross(turn, r))) <=
-          0.5 * angle * angle * double(length(r)) + tolerance(1e-14, 1e-6));
+          0.6 * angle * angle * double(length(r)) + tolerance(1e-14, 1e-6));
     CHECK(double(length(moved - r)) > 0);
   }
 }
 
 TEST_CASE("a relaxed iteration takes omega times the exact impulse of every hinge in turn") {
   World world = uneven_chains(1, 6);
+  for (Body& body : world.bodies)  // then the move does not change w
+    body.inverse_inertia_local = vec3(body.inverse_inertia_local.x);
   const Step step(world);
   for (const double omega : {0.5, 1.0, 1.9, 2.1}) {
     auto loop = loop_of<real>(world, one_by_one(6));

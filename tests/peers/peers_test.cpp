@@ -70,11 +70,15 @@ TEST_CASE("the first step of every peer that does not iterate has the exact acce
       const double h = soft ? 1.0 / 60 : 1e-4, share = !in_double ? 4e-2 : soft ? 2e-2 : 2e-5;
       exact = entry.make();
       DirectSolver solver;
-      step(exact.world, solver, real(h));
+      begin_step(exact.world, solver, real(h));
+      solver.solve(exact.world.bodies);
+      const std::vector<Body> unmoved(exact.world.bodies.begin(), exact.world.bodies.end());
+      end_step(exact.world, solver, real(h));
       const bench::BenchScene there = after(peer, entry.make, h, 1);
       // A drive has its speed at once: of that, rounding and the way to the new poses.
       const double fastest = speeds_apart(exact.world, entry.make().world);
-      CHECK(speeds_apart(there.world, exact.world) <
+      // A body that a drive sets rotating may show its velocity before or after it has moved.
+      CHECK(std::min(speeds_apart(there.world, exact.world), speeds_apart(there.world, unmoved)) <
             share * 9.81 * h + tolerance(1e-7, 4e-4) * fastest);
       ++compared;
     }

@@ -14,8 +14,7 @@
 // wrong kick-sum: (world.last_h + h) / 2 ==> world.last_h + h
 // wrong brackets-forgotten: (world.last_h + h) / 2 ==> world.last_h + h / 2
 // wrong first-step-full-kick: gravity, ==> gravity, world.last_h == 0 ? h :
-// wrong no-kick: kick(world.bodies, world.gravity, (world.last_h + h) / 2); ==>
-// wrong integrate-forces: kick ==> integrate_forces
+// wrong no-kick: integrate_forces(world.bodies, world.gravity, (world.last_h + h) / 2); ==>
 // wrong last-h-not-kept: world.last_h = h; ==>
 // wrong last-h-gets-mean: world.last_h = h; ==> world.last_h = (world.last_h + h) / 2;
 // wrong blocks-not-cleared: world.blocks.clear(); ==>
@@ -24,11 +23,12 @@
 // wrong append-missing: for (const auto& joint : world.joints()) joint->append(world.bodies,
 //         world.blocks); ==>
 // wrong begin-append-half-h: begin_step(world.bodies, h) ==> begin_step(world.bodies, h / 2)
-// wrong prepare-mean: kick(world.bodies, world.gravity, (world.last_h + h) / 2) ==> const real mean
-//         = (world.last_h + h) / 2; kick(world.bodies, world.gravity, mean) ;; 0, h ==> 0, mean
-// wrong begin-step-mean: kick(world.bodies, world.gravity, (world.last_h + h) / 2) ==> const real
-//         mean = (world.last_h + h) / 2; kick(world.bodies, world.gravity, mean) ;;
-//         begin_step(world.bodies, h) ==> begin_step(world.bodies, mean)
+// wrong prepare-mean: integrate_forces(world.bodies, world.gravity, (world.last_h + h) / 2)
+//         ==> const real mean = (world.last_h + h) / 2; integrate_forces(world.bodies,
+//         world.gravity, mean) ;; 0, h ==> 0, mean
+// wrong begin-step-mean: integrate_forces(world.bodies, world.gravity, (world.last_h + h) /
+//         2) ==> const real mean = (world.last_h + h) / 2; integrate_forces(world.bodies,
+//         world.gravity, mean) ;; begin_step(world.bodies, h) ==> begin_step(world.bodies, mean)
 // wrong prepare-half-h: 0, h ==> 0, h / 2
 // wrong "the solver did not get the blocks of this step: solver.prepare(": 0 ==>
 //         int(world.blocks.list.size())
@@ -37,39 +37,24 @@
 // wrong warm-start: warm_start(world.bodies, 0) ==> warm_start(world.bodies, 1)
 // wrong warm-start-missing: solver.warm_start(world.bodies, 0); ==>
 // wrong solve-missing: solver.solve(world.bodies); ==>
-// wrong solve-twice: turn ==> solver.solve(world.bodies); turn
-// wrong "turn() is missing: turn() half of h before the bodies move, and half": turn(world.bodies,
-//         h / 2); ==> ;; turn(world.bodies, h / 2); ==>
-// wrong "the second turn() is missing: turn() half of h before the bodies move": (world.bodies, h);
-//         turn(world.bodies, h / 2); ==> (world.bodies, h);
-// wrong "the first turn() is missing: turn() half of h before the bodies move": turn(world.bodies,
-//         h / 2); ==>
-// wrong "turn() for all of h before the bodies move: turn() half of h before": h / 2 ==> h ;;
-//         turn(world.bodies, h / 2); ==>
-// wrong "turn() for all of h after the bodies have moved: turn() half of h": turn(world.bodies, h /
-//         2); ==> ;; h / 2 ==> h
-// wrong "turn() for all of h both times: turn() half of h before the bodies": h / 2 ==> h ;; h / 2
-//         ==> h
-// wrong turn-before-solve: solver.solve(world.bodies); ==> ;; integrate_poses ==>
-//         solver.solve(world.bodies); integrate_poses
+// wrong solve-twice: integrate_poses ==> solver.solve(world.bodies); integrate_poses
 // wrong poses-before-solve: integrate_poses(world.bodies, h); ==> ;; solver.solve ==>
 //         integrate_poses(world.bodies, h); solver.solve
-// wrong poses-at-first: integrate_poses(world.bodies, h); ==> ;; kick ==>
-//         integrate_poses(world.bodies, h); kick
+// wrong poses-at-first: integrate_poses(world.bodies, h); ==> ;; integrate_forces ==>
+//         integrate_poses(world.bodies, h); integrate_forces
 // wrong poses-half-h: integrate_poses(world.bodies, h) ==> integrate_poses(world.bodies, h / 2)
 // wrong poses-missing: integrate_poses(world.bodies, h); ==>
-// wrong "the bodies move half before the turns and half after: it is the turns": turn ==>
-//         integrate_poses ;; integrate_poses(world.bodies, h); turn ==> turn(world.bodies, h);
-//         integrate_poses
-// wrong kick-behind-solve: kick(world.bodies, world.gravity, (world.last_h + h) / 2) ==> const real
-//         mean = (world.last_h + h) / 2 ;; turn ==> kick(world.bodies, world.gravity, mean); turn
-// wrong another-half-kick-end: turn(world.bodies, h / 2); // Eq. 9-9 ==> turn(world.bodies, h / 2);
-//         kick(world.bodies, world.gravity, h / 2);
-// wrong engine-step-without-leapfrog:
+// wrong kick-behind-solve: integrate_forces(world.bodies, world.gravity, (world.last_h + h)
+//         / 2) ==> const real mean = (world.last_h + h) / 2 ;; integrate_poses ==>
+//         integrate_forces(world.bodies, world.gravity, mean); integrate_poses
+// wrong another-half-kick-end: integrate_poses(world.bodies, h); ==> integrate_poses(world.bodies,
+//         h); integrate_forces(world.bodies, world.gravity, h / 2);
+// wrong kick-full-h:
   step(world, solver, h);
-// wrong gravity-alone: kick(world.bodies, world.gravity, (world.last_h + h) / 2); ==> for (int k =
-//         0; k < world.bodies.slots(); ++k) if (!world.bodies.at(k).is_static())
-//         world.bodies.at(k).v += (world.last_h + h) / 2 * world.gravity;
+// wrong gravity-alone: integrate_forces(world.bodies, world.gravity, (world.last_h + h) /
+//         2); ==> for (int k = 0; k < world.bodies.slots(); ++k) if
+//         (!world.bodies.at(k).is_static()) world.bodies.at(k).v += (world.last_h + h) / 2 *
+//         world.gravity;
 // wrong "Case: two bodies and a motor": for (const auto& joint : world.joints()) joint->append ==>
 //         if (!world.joints().empty()) world.joints()[0]->append
 // wrong earth-s-gravity: world.gravity, ==> vec3(0, real(-9.81), 0),
@@ -79,15 +64,13 @@
 //         (world.last_h + h) / 2 ==> (1 + h) / 2
 // wrong units "in the step, adding m s to m: a time too many: is a division by h missing?":
 //         integrate_poses(world.bodies, h) ==> integrate_poses(world.bodies, h * h)
-// wrong units "in the step, adding 1/s^2 to 1/s: h is missing (an impulse is h times a force":
-//         turn(world.bodies, h / 2); // Eq. 9-9 ==> turn(world.bodies, real(0.5));
 // wrong units "world.last_h is in 1/s and should be in s": h; ==> 1 / h;
 // wrong engine-step:
   step(world, solver, h, {.leapfrog = true});
-// right rows chosen before the kick: kick ==> for (const auto& joint : world.joints())
-//         joint->begin_step(world.bodies, h); kick ;; (); for (const auto& joint : world.joints())
-//         joint->begin_step(world.bodies, h) ==> ()
+// right rows chosen before the kick: integrate_forces ==> for (const auto& joint :
+//         world.joints()) joint->begin_step(world.bodies, h); integrate_forces ;; (); for (const
+//         auto& joint : world.joints()) joint->begin_step(world.bodies, h) ==> ()
 // right both in one loop: joint-> ==> { joint-> ;; for (const auto& joint : world.joints()) joint
 //         ==> joint ;; solver ==> } solver
-// right end_step of the engine: turn(world.bodies, h / 2); integrate_poses(world.bodies, h);
-//         turn(world.bodies, h / 2); ==> end_step(world, solver, h, {.leapfrog = true});
+// right end_step of the engine: integrate_poses(world.bodies, h); ==> end_step(world, solver, h,
+//         {.leapfrog = true});

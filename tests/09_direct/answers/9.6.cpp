@@ -9,20 +9,26 @@
 // wrong divided-h-squared: C /= -h ==> C /= -h * h
 // wrong half-rate: C /= -h ==> C /= -2 * h
 // wrong rates-not-made-all: C /= -h; ==>
-// wrong not-put-back: for (int slot = 0; slot < bodies.slots(); ++slot) ==> ;; bodies.at(slot).x =
-//         start[slot].x, bodies.at(slot).q = start[slot].q; ==>
-// wrong only-x-put-back: x, bodies.at(slot).q = start[slot].q ==> x
-// wrong only-q-put-back: bodies.at(slot).x = start[slot].x, ==>
-// wrong all-put-back: bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q; ==>
-//         bodies.at(slot) = start[slot];
-// wrong first-body-not-put: int slot = 0 ==> int slot = 2
-// wrong start-kept-each-iteration: integrate_poses ==> start.assign(bodies.data(), bodies.data() +
-//         bodies.slots()); integrate_poses
-// wrong start-written-after-bodies: start.assign(bodies.data(), bodies.data()
-//         + bodies.slots()); ==> ;; std::vector ==> if (n == 0) start.assign(bodies.data(),
-//         bodies.data() + bodies.slots()); std::vector
-// wrong "Case: a slider with a mark half a metre ahead": assign ==> insert ;; bodies ==>
-//         start.end(), bodies
+// wrong not-put-back: std::copy(start.begin(), start.end(), bodies.data()); ==>
+// wrong only-x-put-back: std::copy(start.begin(), start.end(), bodies.data()); ==> for
+//         (int slot = 0; slot < bodies.slots(); ++slot) bodies.at(slot).x = start[slot].x;
+// wrong only-q-put-back: std::copy(start.begin(), start.end(), bodies.data()); ==> for
+//         (int slot = 0; slot < bodies.slots(); ++slot) bodies.at(slot).q = start[slot].q;
+// wrong only-poses-put-back: std::copy(start.begin(), start.end(), bodies.data()); ==> for
+//         (int slot = 0; slot < bodies.slots(); ++slot) bodies.at(slot).x = start[slot].x,
+//         bodies.at(slot).q = start[slot].q;
+// wrong all-put-back: std::copy(start.begin(), start.end(), bodies.data()); ==> ;; (rates); ==>
+//         (rates); std::copy(start.begin(), start.end(), bodies.data());
+// wrong first-body-not-put: std::copy(start.begin(), start.end(), bodies.data()); ==> for (int slot
+//         = 2; slot < bodies.slots(); ++slot) bodies.at(slot) = start[slot];
+// wrong static-body-taken-first: std::copy(start.begin(), start.end(), bodies.data()); ==> for (int
+//         slot = 1; slot < bodies.slots(); ++slot) bodies.at(slot) = start[slot];
+// wrong last-body-not-put: std::copy(start.begin(), start.end(), bodies.data()); ==> for (int slot
+//         = 0; slot < bodies.slots() - 1; ++slot) bodies.at(slot) = start[slot];
+// wrong start-written-once: start.assign ==> if (n == 0) start.assign
+// wrong start-written-after-bodies: start.assign(bodies.data(), bodies.data() +
+//         bodies.slots()); ==> ;; std::vector ==> start.assign(bodies.data(), bodies.data() +
+//         bodies.slots()); std::vector
 // wrong last-not-kept: last = largest; ==>
 // wrong last-only-once: last = largest; ==> if (n == 0) last = largest;
 // wrong poor-is-true: n == iterations || ==> n == iterations) return false; if ( ;; * last)) return
@@ -65,27 +71,28 @@
 // wrong changed-twice: corrector.change_rates(rates); ==> corrector.change_rates(rates);
 //         corrector.change_rates(rates);
 // wrong errors-asked-twice: double largest = 0; ==> double largest = 0; corrector.errors();
-// wrong zero-iterations-do-nothing: start.assign ==> if (iterations == 0) return true; start.assign
+// wrong zero-iterations-do-nothing: double last ==> if (iterations == 0) return true; double last
 // wrong last-begun-zero: std::numeric_limits<double>::infinity() ==> 0
 // wrong last-begun-one: std::numeric_limits<double>::infinity() ==> 0.5
 // wrong returned-once-when-poor: return false; ==> { if (n < iterations)
 //         corrector.change_rates(rates); return false; }
 // wrong error-times-share: poor_contraction * last ==> last / poor_contraction
-// wrong velocities-put-back-poor: q; ==> q, bodies.at(slot).w = start[slot].w;
-// wrong static-body-taken-first: int slot = 0 ==> int slot = 1
-// wrong last-body-not-put: slot < bodies.slots() ==> slot < bodies.slots() - 1
 // wrong tolerance-not-used: largest <= tolerance ==> largest <= 1e-7
-// wrong poor-goes-break: if (n == iterations || !(largest <= poor_contraction * last)) return
-//         false; ==> if (n == iterations) return false; if (!(largest <= poor_contraction * last)) {
-//         integrate_poses(bodies, real(h)); for (const double C : corrector.errors()) if
+// wrong poor-goes-break: if (n == iterations || !(largest <= poor_contraction * last))
+//         return false; ==> if (n == iterations) return false; if (!(largest <= poor_contraction *
+//         last)) { integrate_poses(bodies, real(h)); for (const double C : corrector.errors()) if
 //         (std::abs(C) > tolerance) return false; return true; }
-// right put back before the change: corrector.change_rates(rates); ==> ;; q; ==> q;
-//         corrector.change_rates(rates);
-// right poses kept apart:
-  start.resize(std::size_t(bodies.slots()));
-  for (int slot = 0; slot < bodies.slots(); ++slot) start[std::size_t(slot)] = bodies.at(slot);
+// right put back in a loop: std::copy(start.begin(), start.end(), bodies.data()); ==> for
+//         (int slot = 0; slot < bodies.slots(); ++slot) bodies.at(slot) =
+//         start[std::size_t(slot)];
+// right one loop with a move before it:
+  const auto move = [&] {
+    start.resize(std::size_t(bodies.slots()));
+    for (int slot = 0; slot < bodies.slots(); ++slot) start[std::size_t(slot)] = bodies.at(slot);
+    integrate_poses(bodies, real(h));
+  };
   double before = 0;
-  integrate_poses(bodies, real(h));
+  move();
   for (int n = 0; n <= iterations; ++n) {
     std::vector<double> rates = corrector.errors();
     double largest = 0;
@@ -95,11 +102,8 @@
     if (n == iterations) break;
     before = largest;
     for (double& C : rates) C *= -1 / h;
+    for (int slot = 0; slot < bodies.slots(); ++slot) bodies.at(slot) = start[std::size_t(slot)];
     corrector.change_rates(rates);
-    for (int slot = 0; slot < bodies.slots(); ++slot) {
-      bodies.at(slot).x = start[std::size_t(slot)].x;
-      bodies.at(slot).q = start[std::size_t(slot)].q;
-    }
-    integrate_poses(bodies, real(h));
+    move();
   }
   return false;

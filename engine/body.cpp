@@ -147,7 +147,7 @@ void rotate_freely(Body& body, real h) {
   const real of_a = inverse[a] / inverse[m] - 1, of_b = inverse[b] / inverse[m] - 1;
   const real size = std::abs(h) * length(L) * std::sqrt(-of_a * of_b);
   const int parts = int(glm::clamp(std::ceil(size / size_of_part), real(1), real(most_parts)));
-  const quat common = rotation(h * inverse[m] * momentum);
+  const quat common = rotation(h * inverse[m] * momentum);  // the terms of Eq. 2-11
   const real part = h / real(parts);
   for (int n = 0; n < parts; ++n) {
     if (of_a != 0) rotate_about(a, part / 2 * of_a * L[a], body.q, L);

@@ -104,6 +104,24 @@ TEST_CASE("drawn rotors on a body in free flight keep energy and momentum up to 
     }
 }
 
+TEST_CASE("at 2 rad a step drawn rotors keep their energy, or the step says it slowed them") {
+  if (is_float) return;  // double has the digits to tell one from the other
+  Random random(82);
+  int slowed = 0, all = 0;
+  for (const double turn : {1.5, 2.0})
+    for (const real hertz : {real(60), real(240)})
+      for (int draw = 0; draw < 25; ++draw) {
+        const Changes now = after(drawn_rotors(random, real(turn), 1 / hertz), 300, 1 / hertz,
+                                  with(8), second_order);
+        CAPTURE(turn, double(hertz), draw, now.energy, now.momentum);
+        ++all;
+        slowed += now.halved > 0;
+        CHECK((now.halved > 0 || (now.energy < 2e-3 && now.momentum < 1e-6)));
+      }
+  INFO(slowed << " of " << all << " slowed down");
+  CHECK(slowed < all / 10);
+}
+
 TEST_CASE("a gyroscope precesses by m g r / (I w), and sinks by what its nutation takes") {
   for (const double rate : {20.0, 50.0, 100.0}) {
     World world;

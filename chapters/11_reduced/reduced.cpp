@@ -130,8 +130,8 @@ void accelerate(TreeLink& link, const TreeLink& parent) {
 void accelerate_root(TreeLink& root) {
   const mat3 B = root.H * inverse_of(root.M);
   const mat3 J = root.J - B * transpose(root.H);
-  root.alpha = -(inverse_of(J) * (root.n - B * root.f));              // Eq. 11-16
-  root.a_A = -(inverse_of(root.M) * (root.f + root.alpha * root.H));  // Eq. 11-16
+  root.alpha = -(inverse_of(J) * (root.n - B * root.f));              // Eq. 11-15
+  root.a_A = -(inverse_of(root.M) * (root.f + root.alpha * root.H));  // Eq. 11-15
 }
 
 mat3 inverse_of(const mat3& A) {

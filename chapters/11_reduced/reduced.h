@@ -112,9 +112,9 @@ void add_bias(TreeLink& link, TreeLink& parent);
 // ---- outward: accelerations ---------------------------------------------------------------------
 
 /// Exercise 11.4: alpha and a_A of a child and its `acceleration`, Eq. 11-13 and 11-14; or for a
-/// held joint the force `tau` that the known acceleration needs, Eq. 11-15.
+/// held joint the force `tau` that the known acceleration needs, Eq. 11-16.
 void accelerate(TreeLink& link, const TreeLink& parent);
-/// alpha and a_A of a free root, from the 6 x 6 inertia of the whole tree, Eq. 11-16.
+/// alpha and a_A of a free root, from the 6 x 6 inertia of the whole tree, Eq. 11-15.
 void accelerate_root(TreeLink& root);
 
 /// skew(d) A, column by column: what a lever makes of a matrix.

@@ -184,7 +184,7 @@ void accelerate(TreeLink& link, const TreeLink& parent) {
   // Then add the acceleration along S to alpha or a_A.
   const real felt = dot(link.Uw, link.alpha) + dot(link.Uv, link.a_A);
   if (link.held) {
-    link.tau += felt + link.D * link.acceleration - link.k;  // Eq. 11-15
+    link.tau += felt + link.D * link.acceleration - link.k;  // Eq. 11-16
   } else {
     link.acceleration = link.over_D * (link.k - felt);  // Eq. 11-14
   }
@@ -195,8 +195,8 @@ void accelerate(TreeLink& link, const TreeLink& parent) {
 void accelerate_root(TreeLink& root) {
   const mat3 B = root.H * inverse_of(root.M);
   const mat3 J = root.J - B * transpose(root.H);
-  root.alpha = -(inverse_of(J) * (root.n - B * root.f));              // Eq. 11-16
-  root.a_A = -(inverse_of(root.M) * (root.f + root.alpha * root.H));  // Eq. 11-16
+  root.alpha = -(inverse_of(J) * (root.n - B * root.f));              // Eq. 11-15
+  root.a_A = -(inverse_of(root.M) * (root.f + root.alpha * root.H));  // Eq. 11-15
 }
 
 mat3 inverse_of(const mat3& A) {

@@ -113,8 +113,8 @@ void order(const Settings& settings) {
     const auto row = [&](const char* method, const vec3& tip) {
       table.row({method}, {double(steps), double(length(tip - right))});
     };
-    row("angles, Runge-Kutta", after(start, steps, fourth));
-    row("angles, Euler", after(start, steps, [](Chain& chain, real h) { chain.euler(h); }));
+    row("Runge-Kutta", after(start, steps, fourth));
+    row("Euler", after(start, steps, [](Chain& chain, real h) { chain.euler(h); }));
     OnRows rows(start, settings.iterations);
     for (int n = 0; n < steps; ++n) rows.step(real(1) / real(steps));
     row("rows", rows.tip());

@@ -21,6 +21,7 @@ function element(tag, more = {}, ...children) {
   made.append(...children);
   return made;
 }
+const same = (one, other) => JSON.stringify(one) === JSON.stringify(other);
 const button = (words, does, more = {}) =>
   element("button", {type: "button", textContent: words, onclick: does, ...more});
 
@@ -69,7 +70,6 @@ class Exercise {
               this.more,
               button("Reset", () => this.reset(), {className: "reset"})),
       this.bar, this.report, this.hints, this.live);
-    this.title.classList.toggle("done", store.is_done(this.regions, chapter.version));
     this.place.addEventListener("keydown", event => {
       if (event.key !== "Enter" || !(event.ctrlKey || event.metaKey)) return;
       event.preventDefault();
@@ -84,7 +84,7 @@ class Exercise {
       answers[name] = text.split("\n");
       if (!store.keep(name, answers[name], chapter.version))
         this.say("This browser keeps nothing: export the file before you leave.", "bad");
-      this.stale();
+      this.refresh();
       number_lines();
     });
     editors[name] = editor;
@@ -96,17 +96,29 @@ class Exercise {
     this.check.textContent = engine.is_loaded() ? "Check"
       : `Load the compiler (about ${size} MB) and check`;
   }
-  say(words, kind) {
+  /// Its lines in answers of the file: what a report and a mark belong to.
+  part(all) { return Object.fromEntries(this.regions.map(name => [name, all[name]])); }
+  /// \param of the lines that the words are about
+  say(words, kind, of = this.part(answers)) {
+    this.about = of;
     this.report.hidden = false;
     this.report.className = `report ${kind}`;
     const narrow = matchMedia("(max-width: 600px)").matches;  // a table needs the margin
     const here = words.replace(/\.\/wb hint \S+/g, "the button Hint")
       .replace(/\.\/wb test \S+/g, "the button Check").replace(/(Next: [\d.]+), \S+:\d+/, "$1");
     this.report.textContent = narrow ? here.replace(/^ {1,4}/gm, "") : here;
+    this.refresh();
   }
-  stale() {
-    this.report.classList.add("stale");
-    this.title.classList.remove("done");
+  /// Whether report and mark are those of the present lines.
+  refresh() {
+    this.report.classList.toggle("stale", !same(this.about, this.part(answers)));
+    this.title.classList.toggle("done", store.is_done(this.id, chapter.version));
+  }
+  /// Its lines are others: what is said of those before goes.
+  clear() {
+    this.report.hidden = true;
+    this.live.replaceChildren();
+    this.refresh();
   }
   hint() {
     const given = this.hints.children.length, all = chapter.hints[this.id] || [];
@@ -116,16 +128,10 @@ class Exercise {
     this.more.disabled = given + 1 === all.length;
   }
   reset() {
-    const mine = this.regions;
-    if (mine.some(name => answers[name].join() !== stub[name].join()) &&
-        !confirm(`Throw away your work in exercise ${this.id}?`)) return;
-    for (const name of mine) change(name, null);
-    this.report.hidden = true;
-    this.live.replaceChildren();
+    replace(this.part(stub), `Throw away your work in exercise ${this.id}?`);
   }
   mark(line, words) {
-    const lines = regions(file());
-    for (const region of lines) {
+    for (const region of regions(file())) {
       const inside = region.begin < line && line <= region.end;
       editors[name_of(region)].mark(inside ? line - region.begin : 0, words);
     }
@@ -159,6 +165,7 @@ class Exercise {
   }
   async judge() {
     const text = file(), mine = regions(text).filter(region => region.id === this.id);
+    const sent = this.part(answers), changed = () => !same(sent, this.part(answers));
     this.mark(0);
     if (mine.every(is_untouched))
       return this.say(`${this.id}  ${chapter.titles[this.id]}: ${OPEN}\n` +
@@ -167,20 +174,17 @@ class Exercise {
     const began = performance.now(), built = await engine.build_tests(chapter, text);
     if (!built.wasm) {
       const {text: words, line, words: short} = refused(built.printed, chapter, text);
-      this.mark(line, short);
-      return this.say(words, "bad");
+      if (!changed()) this.mark(line, short);
+      return this.say(words, "bad", sent);
     }
     const grade = graded(this.id, await engine.run_tests(built.wasm, chapter, text, this.id),
                          chapter, text);
     if (wants_units(grade)) await this.ask_units(grade, text);
-    this.say(told(grade, chapter, text), grade.status === DONE ? "good" : "bad");
+    if (grade.status === DONE) store.mark(this.id, sent, chapter.version);
+    this.say(told(grade, chapter, text), grade.status === DONE ? "good" : "bad", sent);
     this.place.dataset.verdict = grade.status;
     this.place.dataset.took = performance.now() - began;
-    if (grade.status !== DONE) return;
-    store.keep_done(Object.fromEntries(this.regions.map(name => [name, answers[name]])),
-                    chapter.version);
-    this.title.classList.add("done");
-    await show_live(this.live, chapter, text, this.id);
+    if (grade.status === DONE && !changed()) await show_live(this.live, chapter, text, this.id);
   }
   async ask_units(grade, text) {
     if (!engine.manifest.sizes["units.xz"]) return;
@@ -193,13 +197,25 @@ class Exercise {
   }
 }
 
-/// Gives a region other lines, those of the stub for null, and keeps them.
-function change(name, lines) {
-  answers[name] = lines || stub[name];
-  if (lines) store.keep(name, lines, chapter.version);
-  else store.forget(name);
-  editors[name]?.set(answers[name].join("\n"));
+/// Shows other lines of a region.
+function show(name, lines) {
+  answers[name] = lines;
+  editors[name]?.set(lines.join("\n"));
   number_lines();
+  exercises.find(one => one.regions.includes(name))?.clear();
+}
+
+/// Gives regions other lines, {"1.3#2": lines}, and keeps them; asks where work would be lost.
+/// \returns whether it was allowed
+function replace(others, question) {
+  const lost = name => !same(answers[name], stub[name]) && !same(answers[name], others[name]);
+  if (Object.keys(others).some(lost) && !confirm(question)) return false;
+  for (const [name, lines] of Object.entries(others)) {
+    if (same(lines, stub[name])) store.forget(name);
+    else store.keep(name, lines, chapter.version);
+    show(name, lines);
+  }
+  return true;
 }
 
 /// Every editor counts its lines as the file does.
@@ -208,12 +224,13 @@ function number_lines() {
 }
 
 const exercises = places.map(place => new Exercise(place));
-offer_file(document.querySelector(".exercise-file"), chapter, file, change,
+exercises.forEach(one => one.refresh());
+offer_file(document.querySelector(".exercise-file"), chapter, file, replace,
            store.homeless(chapter.number, names));
-store.listen((name, lines) => {
-  if (!(name in stub)) return;
-  answers[name] = lines || stub[name];
-  editors[name]?.set(answers[name].join("\n"));
+store.listen(name => {
+  const lines = store.kept([name])[name] || stub[name];
+  if (name in stub && !same(lines, answers[name])) show(name, lines);
+  exercises.forEach(one => one.refresh());
 });
 number_lines();
 document.documentElement.dataset.course = "ready";

@@ -7,9 +7,10 @@ function element(tag, more = {}, ...children) {
   return made;
 }
 
-/// \param file a function that returns the file \param change called with (region, lines)
+/// \param file a function that returns the file
+/// \param replace called with other lines and a question; false if they are refused
 /// \param homeless regions that are kept and have no place in this version
-export function offer_file(place, chapter, file, change, homeless) {
+export function offer_file(place, chapter, file, replace, homeless) {
   const name = chapter.path.split("/").at(-1);
   const said = element("p", {className: "said"});
   said.setAttribute("role", "status");
@@ -29,8 +30,9 @@ export function offer_file(place, chapter, file, change, homeless) {
       said.textContent = `${name}: no exercise of this chapter is in that file.`;
       return;
     }
-    for (const region of taken) change(region, found[region]);
     const ids = all => [...new Set(all.map(region => region.split("#")[0]))].join(" ");
+    if (!replace(Object.fromEntries(taken.map(region => [region, found[region]])),
+                 `Put the file in place of your work in ${ids(taken)}?`)) return;
     const left = wanted.filter(region => !taken.includes(region));
     const bare = words => replaced(words, () => []);
     said.textContent = `${ids(taken)}: taken from the file.` +

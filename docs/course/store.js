@@ -22,15 +22,16 @@ export function keep(name, lines, version) {
   }
 }
 
-/// Remembers that the tests have passed with these lines, until they are changed.
-export function keep_done(answers, version) {
-  for (const [name, lines] of Object.entries(answers))
-    localStorage.setItem(KEY + name, JSON.stringify({version, lines, done: true}));
+/// Remembers that the tests have passed with these lines of an exercise, {"1.3#2": lines}.
+export function mark(id, lines, version) {
+  localStorage.setItem(`${KEY}done/${id}`, JSON.stringify({version, lines}));
 }
-export const is_done = (names, version) => names.every(name => {
-  const kept = JSON.parse(localStorage.getItem(KEY + name) || "{}");
-  return kept.done && kept.version === version;
-});
+/// Whether the tests have passed with the lines that are kept now.
+export function is_done(id, version) {
+  const passed = JSON.parse(localStorage.getItem(`${KEY}done/${id}`) || "{}");
+  return passed.version === version && Object.entries(passed.lines).every(
+    ([name, lines]) => JSON.stringify(kept([name])[name]) === JSON.stringify(lines));
+}
 
 export const forget = name => localStorage.removeItem(KEY + name);
 
@@ -40,10 +41,9 @@ export function homeless(chapter, names) {
     .map(key => key.slice(KEY.length)).filter(name => !names.includes(name));
 }
 
-/// Calls changed(name, lines) when another tab has kept something; lines are null where it forgot.
+/// Calls changed(name) when another tab has kept or forgotten something.
 export function listen(changed) {
-  addEventListener("storage", ({key, newValue}) => {
-    if (key?.startsWith(KEY))
-      changed(key.slice(KEY.length), newValue === null ? null : JSON.parse(newValue).lines);
+  addEventListener("storage", ({key}) => {
+    if (key?.startsWith(KEY)) changed(key.slice(KEY.length));
   });
 }

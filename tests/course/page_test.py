@@ -11,7 +11,7 @@ import sys
 import time
 from difflib import unified_diff
 
-from reader import (ENDLESS, PAGE, PATIENCE, READY, RIGHT, TRIES, WRONG, Exercise,
+from reader import (ENDLESS, PAGE, PATIENCE, READY, RIGHT, STUB, TRIES, WRONG, Exercise,
                     compiler_asked_for, file_with, lacks, solution, tab)
 
 from proofs import house, main, notes
@@ -104,6 +104,55 @@ def what_goes_wrong_is_told(root, build):
             yield f"after {k} hints {count} are there"
 
 
+def a_mark_is_of_the_checked_text(root, build):
+    """code changed while it is checked, reset, replaced by a file or by another tab is not done and
+    has no report of the code before; the checked code is done again"""
+    exercise, *_ = tab(Browser)
+    browser, stub = exercise.browser, json.dumps(STUB)
+    states = []
+
+    def state(after, done, reported):
+        seen = exercise.is_done(), exercise.is_reported()
+        if seen != (done, reported):
+            states.append(f"after {after}: done {seen[0]}, reported {seen[1]}")
+
+    exercise.write(WRONG)
+    exercise.write(RIGHT)
+    browser.ask(f"""(button => new MutationObserver((_, observer) => {{
+      if (button.textContent !== "Checking") return;
+      observer.disconnect();
+      {exercise.pasting(WRONG)};
+    }}).observe(button, {{childList: true}}))({exercise.place}.querySelector("button.check"))""")
+    yield from lacks(exercise.check(), "6 tests passed.")
+    exercise.await_text(WRONG)
+    state("a change while it was checked", False, False)
+    other = exercise.other_tab()
+    if other.is_done():
+        states.append("the wrong code is done in another tab")
+    exercise.check()
+    state("a check of wrong code", False, True)
+    other.write(WRONG + "  // other")
+    exercise.await_text(WRONG + "  // other")
+    state("a change in another tab", False, False)
+    browser.ask("other.remove()")
+    exercise.write(RIGHT)
+    state("the code that was checked", True, False)
+    exercise.check()
+    state("a check", True, True)
+    if len(exercise.take_in(stub, allowed=False)) != 1:
+        states.append("a file over work asks nothing")
+    state("a file that was refused", True, True)
+    exercise.take_in(stub)
+    state("a stub's file", False, False)
+    exercise.write(RIGHT)
+    state("the code again", True, False)
+    browser.ask("confirm = () => true, 0")
+    exercise.click("reset")
+    browser.wait(f"{exercise.place}.querySelector('.cm-content').innerText.includes('todo')")
+    state("a reset", False, False)
+    yield from states
+
+
 def each_chapter_is_judged(root, build):
     """with each chapter's packs its first exercise is right once it is that of the solution; its
     page has its editors, and in 390 pixels nothing is wider than the window"""
@@ -167,12 +216,9 @@ def nothing_is_lost(root, build, kind=Browser):
         yield from ("the exported file is not the stub with the answer in it:", *unified_diff(
             wanted.split("\n"), exported.split("\n"), "wanted", "exported", lineterm="", n=1))
     # another tab
-    browser.ask("(() => { window.other = document.createElement('iframe');"
-                "other.src = location.href; document.body.append(other); })()")
-    browser.wait("other.contentDocument.documentElement.dataset.course === 'ready'")
+    other = exercise.other_tab()
     exercise.write(WRONG)
-    browser.wait("other.contentDocument.querySelector('[data-exercise=\"1.1\"] .cm-content')"
-                 ".textContent.includes('{n,')")
+    other.await_text(WRONG)
     browser.ask("other.remove()")
     # import
     exercise.take_in("window.exported")
@@ -215,8 +261,8 @@ def one_file_is_enough(root, build, kind=Browser):
 
 
 PROOFS = [little_memory_is_told, the_first_exercise_can_be_done, a_rope_moves_a_rope,
-          what_goes_wrong_is_told, each_chapter_is_judged, a_telephone_shows_it, nothing_is_lost,
-          one_file_is_enough]
+          what_goes_wrong_is_told, a_mark_is_of_the_checked_text, each_chapter_is_judged,
+          a_telephone_shows_it, nothing_is_lost, one_file_is_enough]
 
 if __name__ == "__main__":
     try:

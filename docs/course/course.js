@@ -3,7 +3,7 @@
 import * as engine from "./engine.js";
 import * as store from "./store.js";
 import {show_live} from "./scene.js";
-import {offer_file} from "./file.js";
+import {offer_file, unkept} from "./file.js";
 import {keep_offline, text as text_of} from "./where.js";
 
 const {make_editor} = await import("./editor.js").catch(() => import("./plain_editor.js"));
@@ -68,7 +68,7 @@ class Exercise {
       ...mine.flatMap(region => this.edited(region)), calls(),
       element("p", {className: "buttons"}, this.check,
               this.more,
-              button("Reset", () => this.reset(), {className: "reset"})),
+              button("Reset", () => this.reset(), {className: "reset"}), unkept()),
       this.bar, this.report, this.hints, this.live);
     this.place.addEventListener("keydown", event => {
       if (event.key !== "Enter" || !(event.ctrlKey || event.metaKey)) return;
@@ -82,8 +82,7 @@ class Exercise {
     const words = lines => lines.join("\n");
     const editor = make_editor(`Exercise ${this.id}, your code`, words(answers[name]), text => {
       answers[name] = text.split("\n");
-      if (!store.keep(name, answers[name], chapter.version))
-        this.say("This browser keeps nothing: export the file before you leave.", "bad");
+      store.keep(name, answers[name], chapter.version);
       this.refresh();
       number_lines();
     });
@@ -184,7 +183,10 @@ class Exercise {
     this.say(told(grade, chapter, text), grade.status === DONE ? "good" : "bad", sent);
     this.place.dataset.verdict = grade.status;
     this.place.dataset.took = performance.now() - began;
-    if (grade.status === DONE && !changed()) await show_live(this.live, chapter, text, this.id);
+    if (grade.status !== DONE || changed()) return;
+    await show_live(this.live, chapter, text, this.id).catch(error => {
+      this.live.textContent = `The scene cannot be shown: ${error.message}`;
+    });
   }
   async ask_units(grade, text) {
     if (!engine.manifest.sizes["units.xz"]) return;

@@ -7,6 +7,11 @@ function element(tag, more = {}, ...children) {
   return made;
 }
 
+/// Shown where the browser keeps nothing (course.css).
+export const unkept = () => element("span", {
+  className: "unkept",
+  textContent: "This browser keeps nothing of what you write: export the file before you leave."});
+
 /// \param file a function that returns the file
 /// \param replace called with other lines and a question; false if they are refused
 /// \param homeless regions that are kept and have no place in this version
@@ -45,8 +50,9 @@ export function offer_file(place, chapter, file, replace, homeless) {
                                "the exercise. Where it says ./wb see or ./wb live, look at the " +
                                "scene below an exercise that is right. ./wb run and ./wb plot " +
                                "need a terminal."}),
-    element("p", {textContent: "What you write is kept in this browser. The file is the one that " +
-                               `./wb takes as ${chapter.path}. `},
+    element("p", {}, element("span", {className: "kept",
+                                      textContent: "What you write is kept in this browser. "}),
+            unkept(), ` The file is the one that ./wb takes as ${chapter.path}. `,
             element("a", {href: at("course/licences.txt"),
                           textContent: "Licences of compiler and editor"})),
     element("p", {className: "buttons"},

@@ -153,6 +153,56 @@ def a_mark_is_of_the_checked_text(root, build):
     yield from states
 
 
+def a_full_browser_marks_right_code(root, build):
+    """where the browser has no room, right code is done and a sentence says that nothing is kept;
+    where its scene cannot be shown, it is done all the same"""
+    exercise, *_ = tab(Browser)
+    browser, long = exercise.browser, f"  // {'long ' * 200}\n"
+    exercise.write(WRONG)
+    if exercise.unkept():
+        yield "nothing is kept even before"
+    browser.ask("""(() => {
+      window.real = localStorage;
+      window.way = Object.getOwnPropertyDescriptor(window, "localStorage");
+      for (let size = 1 << 22; size; size >>= 1)
+        try { for (let k = 0;; ++k) real.setItem(`${size} ${k}`, "x".repeat(size)); } catch {}
+      window.fetched = fetch;
+      window.fetch = name => String(name).endsWith("live.html")
+        ? Promise.reject(new Error("no network")) : fetched(name); })()""")
+    exercise.write(long + RIGHT)
+    yield from lacks(exercise.unkept(), "keeps nothing")
+    yield from lacks(exercise.check(), "6 tests passed.")
+    if not exercise.is_done() or exercise.ask(".querySelector('.report.good') === null"):
+        yield "right code is reported as wrong"
+    yield from lacks(exercise.ask(".querySelector('.scene').innerText"), "no network")
+    browser.ask("""(() => {
+      Object.keys(real).filter(name => /^\\d/.test(name)).forEach(name => real.removeItem(name));
+      Object.defineProperty(window, "localStorage", way);
+      window.fetch = fetched;
+      delete document.documentElement.dataset.unkept; })()""")
+
+
+def a_browser_that_keeps_nothing_is_enough(root, build):
+    """where the browser forbids to keep anything, the course is there, a sentence says so, the
+    switch between light and dark works"""
+    browser = tab(Browser)[0].browser
+    forbids = browser.call("Page.addScriptToEvaluateOnNewDocument", source="""
+      Object.defineProperty(window, "localStorage", {configurable: true, get() {
+        throw new DOMException("Access is denied", "SecurityError"); }});""")
+    before = len(browser.console)
+    other = tab(Browser)[0].other_tab()
+    browser.call("Page.removeScriptToEvaluateOnNewDocument", **forbids)
+    other.write(WRONG)
+    yield from lacks(other.unkept(), "keeps nothing")
+    page = "other.contentDocument"
+    for theme in ("dark", "light"):
+        browser.ask(f"{page}.querySelector('doxygen-awesome-dark-mode-toggle').click(), 0")
+        if not browser.ask(f"{page}.documentElement.classList.contains('{theme}-mode')"):
+            yield f"the switch does not make the page {theme}"
+    browser.ask("other.remove()")
+    yield from browser.console[before:]
+
+
 def each_chapter_is_judged(root, build):
     """with each chapter's packs its first exercise is right once it is that of the solution; its
     page has its editors, and in 390 pixels nothing is wider than the window"""
@@ -261,8 +311,9 @@ def one_file_is_enough(root, build, kind=Browser):
 
 
 PROOFS = [little_memory_is_told, the_first_exercise_can_be_done, a_rope_moves_a_rope,
-          what_goes_wrong_is_told, a_mark_is_of_the_checked_text, each_chapter_is_judged,
-          a_telephone_shows_it, nothing_is_lost, one_file_is_enough]
+          what_goes_wrong_is_told, a_mark_is_of_the_checked_text,
+          a_full_browser_marks_right_code, a_browser_that_keeps_nothing_is_enough,
+          each_chapter_is_judged, a_telephone_shows_it, nothing_is_lost, one_file_is_enough]
 
 if __name__ == "__main__":
     try:

@@ -91,6 +91,10 @@ class Exercise:
         self.browser.wait("other.contentDocument.documentElement.dataset.course === 'ready'")
         return Exercise(self.browser, page="other.contentDocument")
 
+    def unkept(self):
+        """What is seen of the sentence that the browser keeps nothing."""
+        return self.ask(".innerText.match(/.*keeps nothing.*/)?.[0] || ''")
+
     def take_in(self, text, allowed=True):
         """Imports a file, `text` as JavaScript writes it; \returns the questions before it."""
         return self.browser.ask(f"""(async () => {{ const all = new DataTransfer(), asked = [];

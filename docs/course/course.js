@@ -137,6 +137,10 @@ class Exercise {
   }
   async test() {
     if (this.check.hasAttribute("aria-disabled")) return;
+    this.mark(0);
+    if (regions(file()).filter(region => region.id === this.id).every(is_untouched))
+      return this.say(`${this.id}  ${chapter.titles[this.id]}: ${OPEN}\n` +
+                      "  Replace todo(...) with your code.", "open");
     if (navigator.deviceMemory < 1 && !engine.is_loaded() && !this.warned) {
       this.warned = true;
       return this.say("This device has less than 1 GB of memory, and the compiler needs about " +
@@ -163,12 +167,8 @@ class Exercise {
     keep_offline(engine.manifest);
   }
   async judge() {
-    const text = file(), mine = regions(text).filter(region => region.id === this.id);
-    const sent = this.part(answers), changed = () => !same(sent, this.part(answers));
-    this.mark(0);
-    if (mine.every(is_untouched))
-      return this.say(`${this.id}  ${chapter.titles[this.id]}: ${OPEN}\n` +
-                      "  Replace todo(...) with your code.", "open");
+    const text = file(), sent = this.part(answers);
+    const changed = () => !same(sent, this.part(answers));
     this.check.textContent = "Checking";
     const began = performance.now(), built = await engine.build_tests(chapter, text);
     if (!built.wasm) {

@@ -32,9 +32,18 @@ FAULTS = {
     '  std::cout << "hello";\n  return {};': "| hello"}
 
 
+def an_untouched_stub_is_told_at_once(root, build):
+    """a stub that nobody has touched is not written yet, without the compiler"""
+    exercise, *_ = tab(Browser)
+    yield from lacks(exercise.check(), "1.1  CentreDistance::jacobian: not written yet")
+    if compiler_asked_for(exercise.browser):
+        yield "the compiler is loaded for it"
+
+
 def little_memory_is_told(root, build):
     """a device with less than 1 GB is told before the compiler is loaded"""
     exercise, *_ = tab(Browser)
+    exercise.write(WRONG)
     exercise.browser.ask("Object.defineProperty(navigator, 'deviceMemory', {value: 0.5, "
                          "configurable: true}), 0")
     yield from lacks(exercise.check(), "less than 1 GB of memory")
@@ -310,10 +319,11 @@ def one_file_is_enough(root, build, kind=Browser):
             yield f"{name}: a picture is missing: {lost}"
 
 
-PROOFS = [little_memory_is_told, the_first_exercise_can_be_done, a_rope_moves_a_rope,
-          what_goes_wrong_is_told, a_mark_is_of_the_checked_text,
-          a_full_browser_marks_right_code, a_browser_that_keeps_nothing_is_enough,
-          each_chapter_is_judged, a_telephone_shows_it, nothing_is_lost, one_file_is_enough]
+PROOFS = [an_untouched_stub_is_told_at_once, little_memory_is_told,
+          the_first_exercise_can_be_done, a_rope_moves_a_rope, what_goes_wrong_is_told,
+          a_mark_is_of_the_checked_text, a_full_browser_marks_right_code,
+          a_browser_that_keeps_nothing_is_enough, each_chapter_is_judged, a_telephone_shows_it,
+          nothing_is_lost, one_file_is_enough]
 
 if __name__ == "__main__":
     try:

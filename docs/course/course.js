@@ -3,8 +3,8 @@
 import * as engine from "./engine.js";
 import * as store from "./store.js";
 import {show_live} from "./scene.js";
-import {offer_file, unkept} from "./file.js";
-import {keep_offline, text as text_of} from "./where.js";
+import {element, offer_file, unkept} from "./file.js";
+import {keep_offline, text as text_of, where_in_page} from "./where.js";
 
 const {make_editor} = await import("./editor.js").catch(() => import("./plain_editor.js"));
 const places = [...document.querySelectorAll(".exercise[data-exercise]")];
@@ -13,14 +13,10 @@ const chapter = JSON.parse(await text_of(`course/chapter_${number}.json`));
 
 const stub = answers_in(chapter.stub), names = Object.keys(stub);
 const answers = {...stub, ...store.kept(names)};  // of every region, as it stands in its editor
+let undo = null;                                  // the button beside what can be undone
 const editors = {};                               // by the regions' names
 const file = () => filled(chapter.stub, answers);
 
-function element(tag, more = {}, ...children) {
-  const made = Object.assign(document.createElement(tag), more);
-  made.append(...children);
-  return made;
-}
 const same = (one, other) => JSON.stringify(one) === JSON.stringify(other);
 const button = (words, does, more = {}) =>
   element("button", {type: "button", textContent: words, onclick: does, ...more});
@@ -68,9 +64,10 @@ class Exercise {
       ...mine.flatMap(region => this.edited(region)), calls(),
       element("p", {className: "buttons"}, this.check,
               this.more,
-              button("Reset", () => this.reset(), {className: "reset"}), unkept()),
+              button("Reset", ({target}) => this.reset(target), {className: "reset"}), unkept()),
       this.bar, this.report, this.hints, this.live);
-    this.place.addEventListener("keydown", event => {
+    place.removeAttribute("id");  // its first editor has it
+    place.addEventListener("keydown", event => {
       if (event.key !== "Enter" || !(event.ctrlKey || event.metaKey)) return;
       event.preventDefault();
       this.test();
@@ -80,10 +77,13 @@ class Exercise {
   edited(region) {
     const name = name_of(region), [head, tail] = around(region);
     const words = lines => lines.join("\n");
-    const editor = make_editor(`Exercise ${this.id}, your code`, words(answers[name]), text => {
+    const id = `exercise-${this.id}` + (region.place > 1 ? `-${region.place}` : "");
+    const label = `Exercise ${this.id}, your code`;
+    const editor = make_editor(id, label, words(answers[name]), text => {
       answers[name] = text.split("\n");
       store.keep(name, answers[name], chapter.version);
-      this.refresh();
+      undo?.remove();
+      refresh();
       number_lines();
     });
     editors[name] = editor;
@@ -104,14 +104,14 @@ class Exercise {
     this.report.className = `report ${kind}`;
     const narrow = matchMedia("(max-width: 600px)").matches;  // a table needs the margin
     const here = words.replace(/\.\/wb hint \S+/g, "the button Hint")
-      .replace(/\.\/wb test \S+/g, "the button Check").replace(/(Next: [\d.]+), \S+:\d+/, "$1");
+      .replace(/\.\/wb test \S+/g, "the button Check");
     this.report.textContent = narrow ? here.replace(/^ {1,4}/gm, "") : here;
     this.refresh();
   }
   /// Whether report and mark are those of the present lines.
   refresh() {
     this.report.classList.toggle("stale", !same(this.about, this.part(answers)));
-    this.title.classList.toggle("done", store.is_done(this.id, chapter.version));
+    this.title.classList.toggle("done", is_done(this.id));
   }
   /// Its lines are others: what is said of those before goes.
   clear() {
@@ -126,8 +126,9 @@ class Exercise {
     this.hints.lastChild.querySelector("details").open = true;
     this.more.disabled = given + 1 === all.length;
   }
-  reset() {
-    replace(this.part(stub), `Throw away your work in exercise ${this.id}?`);
+  reset(beside) {
+    const undo = replace(this.part(stub), `Throw away your work in exercise ${this.id}?`);
+    if (undo) beside.after(undo);
   }
   mark(line, words) {
     for (const region of regions(file())) {
@@ -183,7 +184,11 @@ class Exercise {
     this.say(told(grade, chapter, text), grade.status === DONE ? "good" : "bad", sent);
     this.place.dataset.verdict = grade.status;
     this.place.dataset.took = performance.now() - began;
+    refresh();
     if (grade.status !== DONE || changed()) return;
+    const next = next_of(this.id);
+    if (next) this.report.append(" Next: ", element("a", {
+      href: `${next.page}#exercise-${next.id}`, textContent: `exercise ${next.id}`}));
     await show_live(this.live, chapter, text, this.id).catch(error => {
       this.live.textContent = `The scene cannot be shown: ${error.message}`;
     });
@@ -207,17 +212,48 @@ function show(name, lines) {
   exercises.find(one => one.regions.includes(name))?.clear();
 }
 
-/// Gives regions other lines, {"1.3#2": lines}, and keeps them; asks where work would be lost.
-/// \returns whether it was allowed
-function replace(others, question) {
-  const lost = name => !same(answers[name], stub[name]) && !same(answers[name], others[name]);
-  if (Object.keys(others).some(lost) && !confirm(question)) return false;
+function give(others) {
+  undo?.remove();
   for (const [name, lines] of Object.entries(others)) {
     if (same(lines, stub[name])) store.forget(name);
     else store.keep(name, lines, chapter.version);
     show(name, lines);
   }
-  return true;
+  refresh();
+}
+
+/// Gives regions other lines, {"1.3#2": lines}, and keeps them; asks where work would be lost.
+/// \returns where it was allowed, a button that undoes it, to be put behind another
+function replace(others, question) {
+  const before = Object.fromEntries(Object.keys(others).map(name => [name, answers[name]]));
+  const lost = name => !same(before[name], stub[name]) && !same(before[name], others[name]);
+  if (Object.keys(others).some(lost) && !confirm(question)) return null;
+  give(others);
+  return undo = button("Undo", ({target}) => {
+    target.previousElementSibling.focus();
+    give(before);
+  }, {className: "undo"});
+}
+
+// ---- all chapters -------------------------------------------------------------------------------
+
+const is_done = id => store.is_done(id, chapter.version);
+/// The next exercise that is not done, {page, id}, behind this one or before it.
+function next_of(id) {
+  const all = engine.manifest.chapters.flatMap(({page, ids}) => ids.map(id => ({page, id})));
+  const at = all.findIndex(one => one.id === id);
+  return [...all.slice(at + 1), ...all.slice(0, at)].find(one => !is_done(one.id));
+}
+
+/// Reports, marks, and in the list of pages how many exercises of each chapter are done.
+function refresh() {
+  exercises.forEach(one => one.refresh());
+  for (const {page, ids} of engine.manifest.chapters) {
+    const link = document.querySelector(`#pages a[href="${page}"]`);
+    link.querySelector(".count")?.remove();
+    link.append(element("span", {className: "count", title: "exercises done",
+                                 textContent: `${ids.filter(is_done).length}/${ids.length}`}));
+  }
 }
 
 /// Every editor counts its lines as the file does.
@@ -226,13 +262,19 @@ function number_lines() {
 }
 
 const exercises = places.map(place => new Exercise(place));
-exercises.forEach(one => one.refresh());
+refresh();
 offer_file(document.querySelector(".exercise-file"), chapter, file, replace,
            store.homeless(chapter.number, names));
 store.listen(name => {
   const lines = store.kept([name])[name] || stub[name];
-  if (name in stub && !same(lines, answers[name])) show(name, lines);
-  exercises.forEach(one => one.refresh());
+  if (name in stub && !same(lines, answers[name])) {
+    undo?.remove();
+    show(name, lines);
+  }
+  refresh();
 });
 number_lines();
+const wanted = document.getElementById(where_in_page());
+wanted?.scrollIntoView();
+wanted?.focus({preventScroll: true});
 document.documentElement.dataset.course = "ready";

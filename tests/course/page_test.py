@@ -76,6 +76,10 @@ def the_first_exercise_can_be_done(root, build):
     yield from lacks(report, "done", "6 tests passed.")
     if not compiler_asked_for(browser):
         yield "what is asked of the server is not seen"
+    if (count := browser.ask("document.querySelector('#pages .count').innerText")) != "1/6":
+        yield f"in the list of pages stands: {count}"
+    exercise.ask(".querySelector('.report a').click(), 0")
+    browser.wait("document.activeElement.id === 'exercise-1.2'", "document.activeElement.outerHTML")
     yield from lacks(exercise.scene(), "yours")
     exercise.ask(".querySelector('.scene').replaceChildren()")
     yield from browser.console
@@ -92,6 +96,18 @@ def a_rope_moves_a_rope(root, build):
     if shown != "rope bridge":
         yield f"the scene is: {shown}"
     exercise.ask(".querySelector('.scene').replaceChildren()")
+
+
+def the_first_editor_is_near(root, build):
+    """from the second stop of the page for the keyboard a link leads to the first editor"""
+    browser = tab(Browser)[0].browser
+    browser.ask("document.querySelector('#skip').focus(), 0")
+    for key, code, more in (("Tab", 9, {}), ("Enter", 13, {"text": "\r"})):
+        for kind in ("keyDown", "keyUp"):
+            browser.call("Input.dispatchKeyEvent", type=kind, key=key, code=key,
+                         windowsVirtualKeyCode=code, **more)
+    browser.wait("document.activeElement.id === 'exercise-1.1'", "document.activeElement.outerHTML")
+    yield from ()
 
 
 def what_goes_wrong_is_told(root, build):
@@ -153,12 +169,15 @@ def a_mark_is_of_the_checked_text(root, build):
     state("a file that was refused", True, True)
     exercise.take_in(stub)
     state("a stub's file", False, False)
-    exercise.write(RIGHT)
-    state("the code again", True, False)
-    browser.ask("confirm = () => true, 0")
+    browser.ask("document.querySelector('.exercise-file .undo').click(), 0")
+    exercise.await_text(RIGHT)
+    state("the file was undone", True, False)
     exercise.click("reset")
     browser.wait(f"{exercise.place}.querySelector('.cm-content').innerText.includes('todo')")
     state("a reset", False, False)
+    exercise.click("undo")
+    exercise.await_text(RIGHT)
+    state("the reset was undone", True, False)
     yield from states
 
 
@@ -232,12 +251,15 @@ def each_chapter_is_judged(root, build):
           }} }})()""")
         if said != "done":
             yield f"{id_}: {said}"
-        browser.ask(f"other.src = '{chapter.page_name}'")
+        browser.ask(f"other.src = '{chapter.page_name}#exercise-{id_}'")
         page = "other.contentDocument.documentElement"
         browser.wait(f"{page}.dataset.course === 'ready' && "
                      f"other.contentWindow.location.pathname === '/{chapter.page_name}'")
         wide, open_ = browser.ask(f"""[{page}.scrollWidth, {json.dumps(chapter.ids())}.filter(id =>
             !{page}.querySelector(`[data-exercise="${{id}}"] .cm-content`)).join()]""")
+        if not browser.ask(f"other.contentDocument.activeElement.closest('[data-exercise]')"
+                           f"?.dataset.exercise === '{id_}'"):
+            yield f"its address does not lead to the editor of {id_}"
         if wide > 390 or open_:
             yield f"{chapter.folder}: {wide} pixels wide, no editor: {open_ or 'none'}"
     browser.ask("other.remove()")
@@ -280,8 +302,11 @@ def nothing_is_lost(root, build, kind=Browser):
     other.await_text(WRONG)
     browser.ask("other.remove()")
     # import
-    exercise.take_in("window.exported")
-    browser.wait(f"{exercise.place}.querySelector('.cm-content').textContent.includes('-n')")
+    exercise.take_in("window.exported.replaceAll('\\n', '\\r\\n')")
+    exercise.await_text(RIGHT)
+    said = browser.ask("document.querySelector('.exercise-file .said').innerText")
+    if not said.endswith("taken from the file."):
+        yield f"of a file from Windows it says: {said}"
     server.shutdown()
     server.server_close()
     if kept != "ready":
@@ -319,7 +344,7 @@ def one_file_is_enough(root, build, kind=Browser):
             yield f"{name}: a picture is missing: {lost}"
 
 
-PROOFS = [an_untouched_stub_is_told_at_once, little_memory_is_told,
+PROOFS = [an_untouched_stub_is_told_at_once, little_memory_is_told, the_first_editor_is_near,
           the_first_exercise_can_be_done, a_rope_moves_a_rope, what_goes_wrong_is_told,
           a_mark_is_of_the_checked_text, a_full_browser_marks_right_code,
           a_browser_that_keeps_nothing_is_enough, each_chapter_is_judged, a_telephone_shows_it,

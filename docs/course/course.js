@@ -181,6 +181,7 @@ class Exercise {
                          chapter, text);
     if (wants_units(grade)) await this.ask_units(grade, text);
     if (grade.status === DONE) store.mark(this.id, sent, chapter.version);
+    else if (!changed() && is_done(this.id)) store.unmark(this.id);  // it calls what has changed
     this.say(told(grade, chapter, text), grade.status === DONE ? "good" : "bad", sent);
     this.place.dataset.verdict = grade.status;
     this.place.dataset.took = performance.now() - began;

@@ -27,6 +27,7 @@ export const forget = name => localStorage.removeItem(KEY + name);
 
 /// Remembers that the tests have passed with these lines of an exercise, {"1.3#2": lines}.
 export const mark = (id, lines, version) => put(`done/${id}`, {version, lines});
+export const unmark = id => forget(`done/${id}`);
 /// Whether the tests have passed with the lines that are kept now.
 export function is_done(id, version) {
   const passed = get(`done/${id}`);

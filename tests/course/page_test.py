@@ -178,6 +178,13 @@ def a_mark_is_of_the_checked_text(root, build):
     exercise.click("undo")
     exercise.await_text(RIGHT)
     state("the reset was undone", True, False)
+    exercise.write(WRONG)
+    browser.ask("""(() => {
+      const name = "joint-workbook/done/1.1", mark = JSON.parse(localStorage[name]);
+      mark.lines["1.1#1"] = JSON.parse(localStorage["joint-workbook/1.1#1"]).lines;
+      localStorage.setItem(name, JSON.stringify(mark)); })()""")
+    exercise.check()
+    state("a check that fails with the code of a mark", False, True)
     yield from states
 
 

@@ -64,9 +64,10 @@ def draw_limit(solution, mine, out):
     """How far a cube passes its limit, over the number of iterations."""
     table = mine or solution
     blocks = np.asarray(table["blocks"])
-    whole = np.abs(table["overshoot_deg"][blocks == WHOLE]).max()
-    figure, ax = style.figure("With blocks apart a cube passes its limit; as a whole joint "
-                              + ("it stops there" if whole < 0.005 else f"by {whole:.2f}°, too"))
+    apart, whole = (np.abs(table["overshoot_deg"][blocks == way]).max() for way in (APART, WHOLE))
+    figure, ax = style.figure(
+        "With blocks apart a cube " + ("stops at" if apart < 0.005 else "passes") + " its limit; "
+        "as a whole joint " + ("it stops there" if whole < 0.005 else f"by {whole:.2f}°, too"))
     for scene, colour, words in (("S4l", COLOURS[0], "falls into it"),
                                  ("S4ml", COLOURS[1], "driven by\na motor")):
         chosen = (np.asarray(table["scene"]) == scene) & (blocks == APART)
@@ -152,8 +153,9 @@ def shade(share):
 
 def draw_sideways(solution, mine, out):
     table = mine or solution
-    figure, ax = style.figure("Gravity across the hinges: no number of iterations keeps the chain "
-                              "in its plane")
+    figure, ax = style.figure(
+        f"Gravity across the hinges: with up to {table['iterations'].max():g} iterations the chain "
+        f"leaves its plane by at least {table['sideways_m'].min():.2g} m")
     for blocks, colour, marker in ((APART, COLOURS[0], "o"), (WHOLE, COLOURS[1], "s")):
         chosen = np.asarray(table["blocks"]) == blocks
         ax.plot(table["iterations"][chosen], table["sideways_m"][chosen], color=colour,

@@ -219,7 +219,8 @@ def draw_rods(table, _, out):
         for ax, column in ((left, "peak_speed_m_s"), (right, "gap_max_m")):
             ax.plot(part["iterations"], part[column], color=colour, marker=marker, label=name)
     left.set(yscale="log", ylabel="fastest body  [m/s]", title="speed")
-    right.set(ylabel="largest gap  [m]", title="gap, in the last second: no method closes it")
+    right.set(ylabel="largest gap  [m]",
+              title=f"gap in the last second: {table['gap_max_m'].min():.2g} m or more")
     for ax in (left, right):
         counts(ax, table)
     style.plain_log(left.yaxis)

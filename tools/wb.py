@@ -23,7 +23,7 @@ NEED_SOLUTIONS = {"tour": "./wb run 1, ./wb plot 1 and ./wb see 1 show a finishe
                   "check": "./wb test 1 tests a chapter", "grade": "./wb test 1 tests a chapter",
                   "docs": "the texts are chapters/*/README.md and docs/*.md",
                   "course": "./wb leads through the same exercises",
-                  "bench": "docs/which_method.md shows what it measured; ./wb plot and ./wb see "
+                  "bench": "docs/measurements.md shows what it measured; ./wb plot and ./wb see "
                            "show the experiments of a chapter, as they were recorded",
                   "keep": "nothing has to be kept here: it renews texts after changes of solutions",
                   "hand-out": "copy this folder: it is an edition without solutions"}

@@ -1,5 +1,4 @@
-// The worked users of docs/which_method.md: their settings, which that page quotes, on scenes that
-// a seed draws.
+// The settings of docs/which_method.md, which quotes most of them, on scenes that a seed draws.
 #include <array>
 #include <cmath>
 #include <functional>
@@ -29,23 +28,24 @@ void play_crowd(World& world, int steps) {
     step(world, solver, real(1) / 60, {.warm_start = true});
 }
 
-// An arm whose drives move a tool to within 0.1 mm: no leapfrog, two substeps.
-void play_arm(World& world, int steps) {
-  world.set_beta(1);
-  DirectSolver solver;
-  solver.newton = 8;
-  for (int n = 0; n < steps; ++n)
-    step(world, solver, real(1) / 60, {.substeps = 2});
-}
-
-// A hoist whose links carry 1,000 times their mass: added inertia.
-void play_hoist(World& world, int steps) {
+// The default: a hoist whose links carry 1,000 times their mass, arms, cylinders, wheels.
+void play(World& world, int steps) {
   world.set_beta(1);
   DirectSolver solver;
   solver.newton = 8;
   solver.added_inertia = 8;
   for (int n = 0; n < steps; ++n)
     step(world, solver, real(1) / 60, {.leapfrog = true});
+}
+
+// An arm whose drives move a tool to within 0.1 mm: the default in two substeps.
+void play_arm(World& world, int steps) {
+  world.set_beta(1);
+  DirectSolver solver;
+  solver.newton = 8;
+  solver.added_inertia = 8;
+  for (int n = 0; n < steps; ++n)
+    step(world, solver, real(1) / 60, {.substeps = 2, .leapfrog = true});
 }
 
 // Chains, arms, ragdolls and boxes in one scene: four substeps, warm, soft contacts.
@@ -172,8 +172,8 @@ double cylinder_off(unsigned seed, int hertz) {
   const double speed = draw.number(0.02, 0.06) * (draw.chance(0.5) ? 1 : -1);
   slider.set_motor(real(speed), 1e7);
   world.set_beta(1);
-  DirectSolver solver = shake();
-  for (int n = 0; n < 3 * hertz; ++n) step(world, solver, real(1) / real(hertz));
+  DirectSolver solver = with(8, 8);
+  for (int n = 0; n < 3 * hertz; ++n) step(world, solver, real(1) / real(hertz), second_order);
   return std::abs(double(slider.position(world.bodies)) - 3 * speed);
 }
 
@@ -263,9 +263,7 @@ TEST_CASE("an arm with six drives has its tool within a tenth of a millimetre") 
     BenchScene scene = drawn_arm(seed), coarse = drawn_arm(seed);
     play_arm(scene.world, 60);
     CHECK(off_reference(scene) < (sizeof(real) == 8 ? 1e-4 : 1e-3));
-    coarse.world.set_beta(1);
-    DirectSolver solver = shake();
-    for (int n = 0; n < 60; ++n) step(coarse.world, solver, sixtieth);
+    play(coarse.world, 60);
     in_one_step += off_reference(coarse) < 1e-4;
     CHECK(off_reference(coarse) < (sizeof(real) == 8 ? 4e-4 : 3e-3));
   }
@@ -280,7 +278,7 @@ TEST_CASE("a hoist lifts a ton on links of a kilogram, and no joint opens by a m
     const auto& lift = static_cast<const SliderJoint&>(*scene.world.joints()[0]);
     const double speed = double(lift.motor().speed);
     for (int n = 0; n < 600; ++n) {
-      play_hoist(scene.world, 1);
+      play(scene.world, 1);
       REQUIRE(widest_gap(scene) < (sizeof(real) == 8 ? 1e-6 : 1e-4));
     }
     CHECK(std::abs(double(scene.world.bodies.at(1).x.y) - 10 * speed) < 0.01 * 10 * speed);

@@ -145,7 +145,8 @@ def quotations_are_exact(root, build):
 
 def lines_can_be_edited(root, build):
     """no line of the chapters and of which method, but for made ones, is far over 200 letters"""
-    for path in [chapter.text for chapter in house.chapters()] + [root / "docs/which_method.md"]:
+    guides = [root / "docs" / name for name in ("which_method.md", "measurements.md")]
+    for path in [chapter.text for chapter in house.chapters()] + guides:
         text = tabled.TABLE.sub(lambda table: table["head"], read(path))
         longest = max(text.split("\n"), key=len)
         yield from beyond(f"{path.relative_to(root)}: {longest[:30]}...", len(longest), 200,

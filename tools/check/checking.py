@@ -14,8 +14,9 @@ from check import dearest, judging, proving
 # to the rest, as the tests do that are tagged [slow].
 SLOW = "[slow]"
 PROOFS = ("workbook/exercises", "workbook/texts", "workbook/sources")
-PROOFS_OF_THE_REST = ("workbook/numbers", "workbook/programs", "workbook/contacts",
-                      "workbook/direct_solver", "workbook/front_door", "workbook/pictures",
+PROOFS_OF_THE_REST = ("workbook/numbers", "workbook/claims", "workbook/programs",
+                      "workbook/contacts", "workbook/direct_solver", "workbook/front_door",
+                      "workbook/pictures",
                       "workbook/lanes", "workbook/grade", "workbook/attempts",
                       "workbook/hand_out", "workbook/doors",
                       "live/module", "live/page", "live/picture", "course/reports",

@@ -8,8 +8,8 @@ from base import house
 BEFORE = ["index.html", "docs_before_you_start.html"]
 AFTER = ["docs_gallery.html", "docs_notation.html", "docs_errata.html",
          "docs_thesis.html", "docs_references.html", "docs_which_method.html",
-         "docs_next_door.html", "docs_library.html", "docs_editor.html",
-         "docs_browser.html", "docs_teaching.html", "docs_architecture.html"]
+         "docs_measurements.html", "docs_next_door.html", "docs_library.html",
+         "docs_editor.html", "docs_browser.html", "docs_teaching.html", "docs_architecture.html"]
 CODE = [("topics.html", "The code, by topic"), ("annotated.html", "All types")]
 SKIP = '<a id="skip" href="#doc-content">Skip to the text</a>'
 BAR = """<a id="home" href="index.html">The Joint Workbook</a>

@@ -2,10 +2,36 @@
 #pragma once
 
 #include "checker/report.h"
-#include "tests/07_performance/colour_mistakes.h"
+#include "tests/07_performance/colour_scenes.h"
 #include "tests/07_performance/guarded_memory.h"
 
 namespace joints::testing {
+
+/// A body that moves and that both joints hold.
+inline bool share_a_body(const ColourScene& scene, const BodyPair& a, const BodyPair& b) {
+  const auto both = [&](int body) {
+    return scene.moves[std::size_t(body)] && (body == b.body1 || body == b.body2);
+  };
+  return both(a.body1) || both(a.body2);
+}
+
+/// First fit, asked of every joint before. \param most no colour is greater
+inline Colours right_colours(const ColourScene& scene,
+                             int most = std::numeric_limits<int>::max()) {
+  Colours out;
+  for (std::size_t k = 0; k < scene.links.size(); ++k) {
+    const auto free = [&](int colour) {
+      for (std::size_t before = 0; before < k; ++before)
+        if (out[before] == colour && share_a_body(scene, scene.links[k], scene.links[before]))
+          return false;
+      return true;
+    };
+    int colour = 0;
+    while (colour < most && !free(colour)) ++colour;
+    out.push_back(colour);
+  }
+  return out;
+}
 
 inline Colours your_colours(const ColourScene& scene) {
   return colours_of(scene.links, scene.moves);
@@ -42,15 +68,8 @@ inline std::string greatest_colour(const std::vector<ColourScene>& scenes,
   int most = 0;
   for (const Colours& of : yours)
     for (const int colour : of) most = std::max(most, colour);
-  for (std::size_t k = 0; k < scenes.size(); ++k) {
-    const Colours capped =
-        chosen(scenes[k], [&](auto has, const BodyPair& link) {
-          int colour = 0;
-          while (colour < most && (has(link.body1, colour) || has(link.body2, colour))) ++colour;
-          return colour;
-        }, [](const BodyPair&, int) { return true; });
-    if (capped != yours[k]) return "";
-  }
+  for (std::size_t k = 0; k < scenes.size(); ++k)
+    if (right_colours(scenes[k], most) != yours[k]) return "";
   return "there is a greatest colour, " + std::to_string(most) +
          ": a body may need any number of them, more than an integer has bits";
 }
@@ -89,11 +108,12 @@ inline std::string explain_colours() {
                           std::to_string(scenes.size()) + " scenes" +
                           (holds.empty() ? "" : ", such as " + holds.back()) + ".\n";
   if (!size.empty()) return out + likely(size);
-  for (const ColourMistake& mistake : colour_mistakes()) {
+  using ColoursOf = Colours(const std::vector<BodyPair>&, const std::vector<bool>&);
+  for (const auto& [words, wrong] : known_mistakes<ColoursOf>("7.3", 1)) {
     bool fits = true;
     for (std::size_t k = 0; fits && k < scenes.size(); ++k)
-      fits = mistake.of(scenes[k]) == yours[k];
-    if (fits) return out + likely(mistake.words);
+      fits = wrong(scenes[k].links, scenes[k].moves) == yours[k];
+    if (fits) return out + likely(words);
   }
   if (const std::string words = greatest_colour(scenes, yours); !words.empty())
     return out + likely(words);

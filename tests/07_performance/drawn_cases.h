@@ -3,7 +3,7 @@
 
 #include "tests/07_performance/colour_cases.h"
 #include "tests/07_performance/solve_cases.h"
-#include "tests/07_performance/hoist_bias_cases.h"
+#include "tests/07_performance/hoist_cases.h"
 #include "tests/07_performance/whole_K_cases.h"
 #include "tests/checker/drawn.h"
 
@@ -15,7 +15,7 @@ inline Drawn drawn_hoist(Draw& d) {
   HingeCase c{"", {}, d.pair(u), real(u.s)};
   const auto [anchor1, anchor2] = d.levers(u);
   c.hinge.point = {anchor1, anchor2};
-  const double tilt = d.size("angle between the axes", std::pow(10, -5 * d.pick()), "rad");
+  const double tilt = d.size("angle between the axes", std::pow(10, -9 * d.pick()), "rad");
   const vec3 b = d.turn() * vec3(1, 0, 0);
   const vec3 other = normalize(cross(b, vec3(real(0.3), real(0.5), real(0.8))));
   const vec3 a1 = rotation(real(tilt) * normalize(b + real(0.7) * other)) * cross(b, other);
@@ -25,10 +25,10 @@ inline Drawn drawn_hoist(Draw& d) {
   const vec3 r1 = to_world(c.pair.body1, c.hinge.point.anchor1_local);
   const vec3 r2 = to_world(c.pair.body2, c.hinge.point.anchor2_local);
   const double l1 = double(length(r1)), l2 = double(length(r2));
-  const double gap = d.size("gap", (l1 + l2) * std::pow(10, -4 * d.pick()), "m");
+  const double gap = d.size("gap", (l1 + l2) * std::pow(10, -9 * d.pick()), "m");
   c.pair.body1.x = -r1, c.pair.body2.x = d.vector(gap) - r2;
   const HingeNumbers<real> yours = hoisted(c);
-  const Vector<5> right = BiasReference(c).C;
+  const HingeNumbers<real> right = reference_numbers(c);
   Drawn out = drawn_vectors({"r1", "r2"},
                             flat({to_vec3(yours.r1), to_vec3(yours.r2)}), flat({r1, r2}),
                             {l1, l1, l1, l2, l2, l2});
@@ -36,7 +36,7 @@ inline Drawn drawn_hoist(Draw& d) {
     const double unit = (i < 3 ? gap : tilt) / u.s;
     out.entries.push_back("bias[" + std::to_string(i) + "] in units of the error");
     out.yours.push_back(double(yours.bias[i]) / unit);
-    out.right.push_back(double(c.hinge.beta / c.h * right[i]) / unit);
+    out.right.push_back(double(right.bias[i]) / unit);
   }
   const double size = 10 + (is_float ? 100 : 1e-4 * (l1 + l2) / gap + 1e-5 / tilt);
   for (const bool second : {false, true})
@@ -44,7 +44,7 @@ inline Drawn drawn_hoist(Draw& d) {
       const double unit = 1 / (u.kg * u.m * u.m);
       out.entries.push_back(std::string(second ? "I2." : "I1.") + inertia_entries[k]);
       out.yours.push_back(six_numbers(second ? yours.I2 : yours.I1)[std::size_t(k)] / unit);
-      out.right.push_back(six_numbers(reference_inertia(c, second))[std::size_t(k)] / unit);
+      out.right.push_back(six_numbers(second ? right.I2 : right.I1)[std::size_t(k)] / unit);
     }
   out.sizes = {size};
   return out;
@@ -66,7 +66,7 @@ inline Drawn drawn_whole_K(Draw& d) {
   const Matrix<5> K = whole_K(hinge, pair.body1.inverse_mass, pair.body2.inverse_mass);
   const Matrix<5> right = dense_K(J, pair.body1, pair.body2);
   const double lever = 1 + double(length(r1) + length(r2)) / u.m;
-  Drawn out{names_of(-1), {}, {}};
+  Drawn out{names_of_K(), {}, {}};
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j) {
       const double unit = (i < 3 ? 1 : 1 / u.m) * (j < 3 ? 1 : 1 / u.m) / u.kg;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/simd/lanes.h"
-#include "tests/07_performance/solve_pieces.h"
+#include "tests/07_performance/solve_cases.h"
 
 namespace joints::testing {
 

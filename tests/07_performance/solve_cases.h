@@ -1,9 +1,8 @@
 // Exercise 7.4, one solve of a whole block: the cases, and the path from the velocities before to
-// those after, in pieces.
+// those after.
 #pragma once
 
 #include "tests/07_performance/loop_hinges.h"
-#include "tests/checker/impulse_lines.h"
 
 namespace joints::testing {
 
@@ -24,8 +23,9 @@ inline std::vector<SolveCase> solve_cases() {
   for (const HingeCase& c : hinge_cases()) out.push_back(solve_case(c));
   return out;
 }
-/// Yours, for one hinge.
-inline SolveCase solved(SolveCase c) {
+using Solve = void(const HingeNumbers<real>&, Velocities<real>&, Velocities<real>&);
+/// Yours, or a mistake, for one hinge.
+inline SolveCase solved(SolveCase c, Solve* solve = joints::solve<real>) {
   solve(c.hinge, c.body1, c.body2);
   return c;
 }
@@ -46,60 +46,62 @@ inline Numbers flat(const FourVelocities& V) {
   return out;
 }
 
-/// What a solve is made of, each piece by itself, so that a mistake changes one of them.
+/// Eq. 7-6 with all five rows written out.
 struct SolveReference {
-  using Step = Call<void(SolveReference&, Vector<5>&)>;
-  vec3 r1, r2;              ///< levers
-  std::array<vec3, 2> a;    ///< axis rows
-  Jacobian<5> read, push;   ///< J of e, and J of the effect of lambda
-  ImpulseLines lines;       ///< how v1, w1, v2, w2 get it
+  vec3 r1, r2;                    ///< levers
+  std::array<vec3, 2> a;          ///< axis rows
+  Jacobian<5> J;
+  std::array<mat3, 4> inverse_M;  ///< of v1, w1, v2, w2
   Matrix<5> inverse_K;
   Vector<5> bias;
   FourVelocities V;
-  std::vector<Step> on_e, on_lambda, after;  ///< what else becomes of e, of lambda, of V
 
   explicit SolveReference(const SolveCase& c)
       : r1(to_vec3(c.hinge.r1)), r2(to_vec3(c.hinge.r2)),
-        a{to_vec3(c.hinge.axis_row[0]), to_vec3(c.hinge.axis_row[1])},
-        read(hinge_rows(r1, r2, a)), push(read), V(velocities_of(c)) {
-    lines.inverse_M = {mat3(c.body1.inverse_mass), to_mat3(c.hinge.I1), mat3(c.body2.inverse_mass),
-                       to_mat3(c.hinge.I2)};
-    lines.before = V;
-    int place = 0;
-    for (std::size_t i = 0; i < 5; ++i) {
-      bias[i] = c.hinge.bias[i];
-      for (int j = int(i); j < 5; ++j)
-        inverse_K[int(i)][j] = inverse_K[j][int(i)] = c.hinge.inverse_K[std::size_t(place++)];
-    }
+        a{to_vec3(c.hinge.axis_row[0]), to_vec3(c.hinge.axis_row[1])}, J(hinge_rows(r1, r2, a)),
+        inverse_M{mat3(c.body1.inverse_mass), to_mat3(c.hinge.I1), mat3(c.body2.inverse_mass),
+                  to_mat3(c.hinge.I2)},
+        bias(c.hinge.bias), V(velocities_of(c)) {
+    std::size_t place = 0;
+    for (int i = 0; i < 5; ++i)
+      for (int j = i; j < 5; ++j)
+        inverse_K[i][j] = inverse_K[j][i] = c.hinge.inverse_K[place++];
   }
+  static FourVelocities blocks(const Row& J) { return {J.v1, J.w1, J.v2, J.w2}; }
   /// bias + J V.
-  Vector<5> e() {
-    Vector<5> out;
-    for (int i = 0; i < 5; ++i)
-      out[std::size_t(i)] = bias[std::size_t(i)] + dot(read[i].v1, V[0]) + dot(read[i].w1, V[1]) +
-                            dot(read[i].v2, V[2]) + dot(read[i].w2, V[3]);
-    for (const Step& step : on_e) step(*this, out);
+  Vector<5> e() const {
+    Vector<5> out = bias;
+    for (std::size_t i = 0; i < 5; ++i)
+      for (std::size_t k = 0; k < 4; ++k) out[i] += dot(blocks(J[int(i)])[k], V[k]);
     return out;
   }
-  Vector<5> lambda(const Vector<5>& e) {
+  Vector<5> lambda() const {
+    const Vector<5> errors = e();
     Vector<5> out{};
-    for (int i = 0; i < 5; ++i)
-      for (int j = 0; j < 5; ++j) out[std::size_t(i)] -= inverse_K[i][j] * e[std::size_t(j)];
-    for (const Step& step : on_lambda) step(*this, out);
+    for (std::size_t i = 0; i < 5; ++i)
+      for (std::size_t j = 0; j < 5; ++j) out[i] -= inverse_K[int(i)][j] * errors[j];
     return out;
   }
-  FourVelocities solved() {
-    Vector<5> impulse = lambda(e());
-    const FourVectors changes = lines.changes(impulses<5>(push, impulse));
-    for (std::size_t k = 0; k < 4; ++k) V[k] += changes[k];
-    for (const Step& step : after) step(*this, impulse);
-    return V;
-  }
-  static Jacobian<5> scaled(Jacobian<5> J, int from, int to, real v1, real w1, real v2, real w2) {
-    for (int i = from; i < to; ++i)
-      J[i] = {v1 * J[i].v1, w1 * J[i].w1, v2 * J[i].v2, w2 * J[i].w2};
-    return J;
+  FourVelocities solved() const {
+    const Vector<5> impulse = lambda();
+    FourVelocities out = V;
+    for (std::size_t i = 0; i < 5; ++i)
+      for (std::size_t k = 0; k < 4; ++k)
+        out[k] += inverse_M[k] * (impulse[i] * blocks(J[int(i)])[k]);
+    return out;
   }
 };
+
+inline CaseTable<SolveCase> solve_table() {
+  CaseTable<SolveCase> table{{"7.4", "the solve of a whole hinge"},
+                             with_xyz({"v1", "w1", "v2", "w2"}), {}, {}, {}, solve_cases()};
+  judge(table, joints::solve<real>, [](Solve* solve, const SolveCase& c) {
+    return flat(velocities_of(solved(c, solve)));
+  });
+  table.right = [](const SolveCase& c) { return flat(SolveReference(c).solved()); };
+  table.tolerance = is_float ? 1e-3 : 1e-10;
+  table.in_pairs = true;
+  return table;
+}
 
 }  // namespace joints::testing

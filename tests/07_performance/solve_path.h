@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "tests/07_performance/solve_pieces.h"
+#include "tests/07_performance/solve_cases.h"
 #include "tests/checker/arguments.h"
 
 namespace joints::testing {
@@ -17,10 +17,10 @@ struct SolvePath {
 };
 
 inline SolvePath right_path(const SolveCase& c) {
-  SolveReference reference(c);
+  const SolveReference reference(c);
   SolvePath out;
   out.e = reference.e();
-  out.lambda = reference.lambda(out.e);
+  out.lambda = reference.lambda();
   out.P.fill(vec3(out.lambda[0], out.lambda[1], out.lambda[2]));
   out.T.fill(out.lambda[3] * reference.a[0] + out.lambda[4] * reference.a[1]);
   return out;
@@ -32,7 +32,7 @@ inline SolvePath path_to(const SolveCase& c, const FourVelocities& after) {
   for (std::size_t k = 0; k < 2; ++k) {
     const real sign = k == 0 ? -1 : 1;
     const auto given = [&](std::size_t line) {
-      return sign * (inverse(reference.lines.inverse_M[line]) * (after[line] - reference.V[line]));
+      return sign * (inverse(reference.inverse_M[line]) * (after[line] - reference.V[line]));
     };
     out.P[k] = given(2 * k);
     out.T[k] = given(2 * k + 1) - cross(k == 0 ? reference.r1 : reference.r2, out.P[k]);

@@ -1,9 +1,7 @@
 // The tests of chapter 7's exercises. Linked with the solution, with the reader's file, with the
 // stub and with every known wrong and right answer.
 #include "tests/checker/catch.h"
-#include "tests/checker/named.h"
 #include "tests/07_performance/drawn_cases.h"
-#include "tests/07_performance/hoist_bias_cases.h"
 #include "tests/07_performance/lane_cases.h"
 #include "tests/07_performance/solve_path.h"
 
@@ -78,7 +76,7 @@ TEST_CASE("7.2 the closed form is J M^-1 J^T at every pose", "[7.2]") {
 }
 
 TEST_CASE("7.2 the closed form is right in all units and beside a wall", "[7.2]") {
-  check_drawn(whole_K_subject, drawn_whole_K);
+  check_drawn(whole_K_table().subject, drawn_whole_K);
 }
 
 // ---- 7.3 ----------------------------------------------------------------------------------------
@@ -174,15 +172,4 @@ TEST_CASE("7.4 each lane gives the digits of a single hinge", "[7.4]") {
                   "the numbers of another lane: with + - * of Number each stays in its own");
     }
   }
-}
-
-// ---- what the tests know of mistakes ------------------------------------------------------------
-
-TEST_CASE("each usual mistake with colours gives different colours") {
-  CHECK(colour_mistakes_alike() == std::vector<std::string>{});
-}
-
-TEST_CASE("each usual mistake of chapter 7 is called by its name") {
-  are_sound(lever_table(), axis_row_table(), inertia_table(), hinge_bias_table(), whole_K_table(),
-            K_part_table(0), K_part_table(1), K_part_table(2), solve_table());
 }

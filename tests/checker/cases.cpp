@@ -310,7 +310,12 @@ std::vector<std::string> AnyTable::likely_of(std::vector<const void*> more,
     return out;
   };
   CaseNumbers numbers{names(), {}, asked(known()),
-                      [&] { return asked(in_pairs ? two_at_once(more) : pairs_of()); },
+                      [&] {
+                        std::vector<AnyMistake> all;
+                        if (in_pairs) all = two_at_once(more);
+                        for (AnyMistake& one : pairs_of()) all.push_back(std::move(one));
+                        return asked(all);
+                      },
                       tolerance, whole, judged};
   for (const void* c : more) numbers.cases.push_back({yours_in(c), right_in(c)});
   return likely_mistakes(numbers, own);

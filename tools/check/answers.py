@@ -11,7 +11,8 @@
 A mistake is a wrong answer that a check knows: it is compiled as a function of its own, a check
 runs it on its cases, and where it gives a reader's numbers its sentence stands in the report
 (tests/checker/known.h). Of mistakes with the same numbers the first is told. The sentence may be
-continued on lines like those of a change.
+continued on lines like those of a change. A heading with {1|2} in it, or {x|y|z}, stands for as
+many answers, one with the first of them in every place, and so on.
 
 Other wrong answers name what they must be told: a diagnosis by its id, "#sign-of-gravity the sign
 of gravity" in the checker, `a + b` where it is told two; or "words of the report", where these are
@@ -32,7 +33,7 @@ import json
 import re
 import sys
 from collections import Counter
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).absolute().parents[1]))
@@ -42,6 +43,7 @@ HEADING = re.compile(r'// (wrong units|wrong|right|mistake) ("[^"]+"|[^":]+):(?:
 OPEN = re.compile(r'// (mistake|wrong|wrong units) "[^"]*$')  # a sentence that goes on below
 NAMED = re.compile(r"([a-z0-9-]+(?: \+ [a-z0-9-]+)*)(?: \((.+)\))?$")  # a diagnosis, by its ids
 MORE = re.compile(r"// {7,}(\S.*)$")  # of changes that take more than a line
+EACH = re.compile(r"\{(?! )([^{}|]*(?:\|(?! )[^{}|]*)+)(?<! )\}")  # of several answers, see above
 DIAGNOSIS = re.compile(r"#([a-z0-9-]+) +(\S.*)", re.S)  # a text of a table of mistakes
 TEXT = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 STUB = "stub"  # the choice that leaves every exercise unwritten
@@ -125,6 +127,7 @@ def read(path, regions):
         else:
             answer.first = answer.first or number
             answer.body.append(line)
+    found = [one for answer in found for one in each(answer)]
     again = Counter()
     for one in found:
         again[one.name] += 1
@@ -143,6 +146,20 @@ def headed(lines):
         else:
             whole.append((number, line))
     return whole
+
+
+def each(answer):
+    """The answers for which a heading stands."""
+    words = (answer.told, answer.changes)
+    counts = {match[1].count("|") + 1 for text in words for match in EACH.finditer(text)}
+    if len(counts) > 1:
+        answer.faults.append((answer.line, "{a|b} in one place, {a|b|c} in another"))
+    if len(counts) != 1:
+        return [answer]
+    return [replace(answer, **dict(zip(("told", "changes"), chosen)), body=answer.body[:],
+                    faults=[])
+            for chosen in zip(*([EACH.sub(lambda match: match[1].split("|")[k], text)
+                                 for k in range(*counts)] for text in words))]
 
 
 def change(answer, regions, found):
@@ -268,11 +285,13 @@ def make(solution, files, units, out, root):
 # ---- the source of the mistakes that a check knows -----------------------------------------------
 
 def around(lines, region):
-    """The lines of the function around a region, before and behind it."""
+    """What a template's parameter is, in double, and the lines of the function around a region,
+    before and behind it."""
     begin = max(k for k in range(region.begin) if re.match(r"\w", lines[k]))
-    begin -= lines[begin - 1].startswith("template")
     end = lines.index("}", region.end)
-    return lines[begin:region.begin - 1], lines[region.end + 1:end + 1]
+    number = re.match(r"template <class (\w+)>$", lines[begin - 1])
+    return ([f"using {number[1]} = real;"] if number else [], lines[begin:region.begin - 1],
+            lines[region.end + 1:end + 1])
 
 
 def of_member(before):
@@ -302,10 +321,10 @@ def make_mistakes(solution, files, out, root, refused):
         regions.setdefault(region.id, []).append(region)
     for k, one in enumerate((a for a in read_all(files, text) if a.kind == "mistake"
                              and not a.faults and a.key() not in refused), 1):
-        before, behind = around(lines, regions[one.id][one.region - 1])
+        given, before, behind = around(lines, regions[one.id][one.region - 1])
         declared, before, called, name = of_member(before)
-        made += [f"namespace mistake_{k} {{", *declared, f'#line 1 "{root}/{shown}"', *before,
-                 *one.placed(), f'#line 1 "{root}/{shown}"', *behind, *called, "}"]
+        made += [f"namespace mistake_{k} {{", *given, *declared, f'#line 1 "{root}/{shown}"',
+                 *before, *one.placed(), f'#line 1 "{root}/{shown}"', *behind, *called, "}"]
         words = json.dumps(one.told.strip('"'), ensure_ascii=False)
         table.append(f'  {{"{one.id}", {one.region}, {words}, &joints::mistake_{k}::{name}}},')
     head = ["// Made by tools/check/answers.py."]

@@ -3,26 +3,39 @@
   std::vector<int> colours(moves.size() + links.size() + 1);
   for (std::size_t k = 0; k < links.size(); ++k) colours[k] = int(k % 2);
   return colours;
-// wrong colour-own: if (!moves[body]) continue; ==> ;; (colour) ==> (colours.size())
+// mistake "every joint has a colour of its own: take the least that is free at its bodies": if
+//         (!moves[body]) continue; ==> ;; (colour) ==> (colours.size())
 // wrong "the program crashed: it reached for memory that is not its own": const auto is_taken =
 //         [&](int body) { return moves[body] && colour < taken[body].size() && taken[body][colour];
 //         }; while (is_taken(link.body1) || is_taken(link.body2)) ==> while ((moves[link.body1] &&
 //         taken[link.body1][colour]) || (moves[link.body2] && taken[link.body2][colour])) ;; const
 //         int ==> int ;; if (!moves[body]) continue; ==>
 // expects: std::vector<bool> does not check its own
-// wrong free-one-them: || is_taken ==> && is_taken ;; if (!moves[body]) continue; ==>
-// wrong "the colours are counted from 0": 0; ==> 1; ;; if (!moves[body]) continue; ==>
+// mistake "the colour must be free at both bodies: go on while the one or the other has it": ||
+//         is_taken ==> && is_taken ;; if (!moves[body]) continue; ==>
+// mistake "the colours are counted from 0": 0; ==> 1; ;; if (!moves[body]) continue; ==>
 // expects: Scene: a chain of 4 on a wall
-// wrong kept-body-2-only: body1, link.body2 ==> body2 ;; if (!moves[body]) continue; ==>
-// wrong moves-turned-round: return moves ==> return ! moves ;; if (!moves[body]) continue; ==>
-// wrong only-body-1-asked: || is_taken(link.body2) ==> ;; if (!moves[body]) continue; ==>
-// wrong "a static body counts: it does not move": moves[body] && ==> ;; if (!moves[body]) continue;
-//         ==>
+// mistake "the colour is stored for body 2 of a joint only: it is taken at both": body1, link.body2
+//         ==> body2 ;; if (!moves[body]) continue; ==>
+// mistake "the other way round: the bodies that move are those that no two joints may share":
+//         return moves ==> return ! moves ;; if (!moves[body]) continue; ==>
+// mistake "only body 1 of a joint is tested: the colour must be free at both": ||
+//         is_taken(link.body2) ==> ;; if (!moves[body]) continue; ==>
+// mistake "a static body counts: it does not move, so any number of joints may hold it at once":
+//         moves[body] && ==> ;; if (!moves[body]) continue; ==>
 // expects: joint 1 (bodies 2 and 0 (static))
-// wrong two-in-turn:
+// mistake "two colours in turn: that fits a chain and nothing else":
   std::vector<int> colours;
   for (std::size_t k = 0; k < links.size(); ++k) colours.push_back(int(k % 2));
   return colours;
+// mistake "only body 2 of a joint is tested: the colour must be free at both": is_taken(link.body1)
+//         || ==>
+// mistake "the colour is stored for body 1 of a joint only: it is taken at both": body1, link.body2
+//         ==> body1
+// mistake "all have one colour: a joint must not have that of another one at the same body. Is
+//         nothing stored, or is `moves` inverted where it is used?": = true ==> = false
+// mistake "all have one colour: a joint must not have that of another one at the same body. Is
+//         nothing stored, or is `moves` inverted where it is used?": int(colour) ==> 0
 // right colour after colour:
   // Colour after colour: each takes, from the first joint on, all that fit beside one another.
   std::vector<int> colours(links.size(), -1);
@@ -115,7 +128,7 @@
     colours.push_back(colour);
   }
   return colours;
-// wrong after-last-one:
+// mistake "a new colour after the last one that the bodies have: a smaller one may be free":
   std::vector<int> next(moves.size(), 0), colours;
   for (const BodyPair& link : links) {
     int colour = 0;
@@ -125,7 +138,8 @@
     colours.push_back(colour);
   }
   return colours;
-// wrong "the number of joints that a body has so far is not a colour":
+// mistake "the number of joints that a body has so far is not a colour: find the colours that are
+//         taken":
 // expects: Holds in
   std::vector<int> count(moves.size(), 0), colours;
   for (const BodyPair& link : links) {
@@ -135,7 +149,7 @@
     colours.push_back(colour);
   }
   return colours;
-// wrong last-joint-first:
+// mistake "from the last joint to the first: the first one chooses first":
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
   std::vector<int> colours(links.size());
   for (std::size_t k = links.size(); k-- > 0;) {
@@ -150,7 +164,7 @@
     colours[k] = colour;
   }
   return colours;
-// wrong only-last-one-kept:
+// mistake "only the last colour of a body is kept: it needs all that its joints have taken":
   std::vector<int> last(moves.size(), -1), colours;
   for (const BodyPair& link : links) {
     int colour = 0;
@@ -185,37 +199,49 @@
     colours.push_back(colour);
   }
   return colours;
+// from right again from the first where a neighbour has it
+// mistake "body 1 is compared with the bodies 1 of other joints, body 2 with their bodies 2: a body
+//         may be either": a.body1 == b.body1 || a.body1 == b.body2 ==> a.body1 == b.body1 ;;
+//         a.body2 == b.body1 || a.body2 == b.body2 ==> a.body2 == b.body2
 // from right a table that is wide enough
 // wrong "an index outside a vector": moves ==> links ;; + 1 ==> ;; int colour ==> std::size_t
 //         colour ;; taken[link.body1][colour] = taken[link.body2] ==> for (int body : {link.body1,
 //         link.body2}) taken[body] ;; (colour) ==> (int(colour))
 // wrong four-spare-colours: links ==> moves ;; + 1 ==>
-// wrong body-1-not-asked: = taken ==> = true; taken ;; ) ++colour ==> ++colour ;; || ==> ++colour;
+// mistake "body 1 is not tested again after the colour has gone up for body 2: go on until neither
+//         of them has it": = taken ==> = true; taken ;; ) ++colour ==> ++colour ;; || ==> ++colour;
 //         while ;; ((moves ==> (moves
-// wrong body-2-not-asked: while ( ==> while (moves[link.body2] && taken[link.body2][colour])
+// mistake "body 2 is not tested again after the colour has gone up for body 1: go on until neither
+//         of them has it": while ( ==> while (moves[link.body2] && taken[link.body2][colour])
 //         ++colour; while ;; || (moves[link.body2] && taken[link.body2][colour])) ==> ;; = taken
 //         ==> = true; taken
 // wrong body-that-not-there: 1 ==> 2 ;; body1 ==> body1 + 1
-// wrong colour-not-set-back: int colour = 0; ==> ;; for ==> int colour = 0; for ;; 1 ==> 2
+// mistake "the colour of the last joint is where the next one begins: begin with 0 for each": int
+//         colour = 0; ==> ;; for ==> int colour = 0; for ;; 1 ==> 2
 // wrong "there is a greatest colour, 7": links.size() + 1 ==> 8 ;; while ==> while (colour < 7 &&
 //         ;; ++colour ==> ) ++colour
 // wrong four-spare-colours: links.size() + 1 ==> 4 ;; int colour ==> std::size_t colour ;;
 //         taken[link.body1][colour] = taken[link.body2] ==> for (int body : {link.body1,
 //         link.body2}) taken[body] ;; (colour) ==> (int(colour))
-// wrong greater-two-colours: colour = 0; while ( ==> a = 0, b = 0; while ;; colour]) || ==> a])
-//         ++a; while ;; colour])) ++colour ==> b]) ++b; const int colour = std::max(a, b) ;; =
-//         taken ==> = true; taken
-// wrong if-place-while: 1 ==> 2 ;; while ==> if
+// mistake "the greater one of two colours, each free at one of the bodies: it must be free at
+//         both": colour = 0; while ( ==> a = 0, b = 0; while ;; colour]) || ==> a]) ++a; while ;;
+//         colour])) ++colour ==> b]) ++b; const int colour = std::max(a, b) ;; = taken ==> = true;
+//         taken
+// mistake "the colour goes up once at most: go on while one of the bodies has it, while and not
+//         if": 1 ==> 2 ;; while ==> if
 // wrong joints-static-body-left: int colour = 0; while ((moves[link.body1] &&
 //         taken[link.body1][colour]) || (moves[link.body2] && taken[link.body2][colour])) ==> if
 //         (!moves[link.body1] || !moves[link.body2]) continue; int colour = 0; while
 //         (taken[link.body1][colour] || taken[link.body2][colour])
-// wrong moves-turned-round-where: ((moves ==> ((!moves ;; || (moves ==> || (!moves ;;
-//         taken[link.body1][colour] = taken[link.body2] ==> for (int body : {link.body1,
-//         link.body2}) if (moves[body]) taken[body]
-// wrong nothing-asked-beside-static: (moves[link.body1] && ==> moves[link.body1] &&
-//         moves[link.body2] && ( ;; ) || (moves[link.body2] && ==> ||
-// wrong nothing-taken-beside-static: while ((moves[link.body1] && taken[link.body1][colour]) ||
+// mistake "all have one colour: a joint must not have that of another one at the same body. Is
+//         nothing stored, or is `moves` inverted where it is used?": ((moves ==> ((!moves ;; ||
+//         (moves ==> || (!moves ;; taken[link.body1][colour] = taken[link.body2] ==> for (int body
+//         : {link.body1, link.body2}) if (moves[body]) taken[body]
+// mistake "beside a static body nothing is tested: the other one moves, and its colour must be
+//         free": (moves[link.body1] && ==> moves[link.body1] && moves[link.body2] && ( ;; ) ||
+//         (moves[link.body2] && ==> ||
+// mistake "a joint with a static body blocks no colour at all: its static body alone blocks none,
+//         the other one moves": while ((moves[link.body1] && taken[link.body1][colour]) ||
 //         (moves[link.body2] && taken[link.body2][colour])) ==> if (moves[link.body1] &&
 //         moves[link.body2]) { while (taken[link.body1][colour] || taken[link.body2][colour]) ;;
 //         true; ==> true; }
@@ -223,11 +249,13 @@
 //         colours(links.size())
 // expects: There are 8 colours for 4 joints
 // from right again from the first where a neighbour has it
-// wrong joints-before-gone-through: , n = std::size_t(-1) ==>
-// wrong one-more-than-joint: for (std::size_t n = 0; n < k; ++n) ==> if (k > 0) ;; [n] ==> [k - 1]
-//         ;; (share && colours[n] == colour) ++colour, n = std::size_t(-1) ==> (share) colour =
-//         colours[k - 1] + 1
-// wrong one-more-than-last: (share && colours[n] == colour) ++colour, n = std::size_t(-1) ==>
-//         (share) colour = colours[n] + 1
-// wrong only-joint-before: for (std::size_t n = 0; n < k; ++n) ==> if (k > 0) ;; [n] ==> [k - 1] ;;
-//         n] == colour) ++colour, n = std::size_t(-1) ==> k - 1] == 0) colour = 1
+// mistake "the joints before are gone through once: after the colour has gone up compare all of
+//         them again": , n = std::size_t(-1) ==>
+// mistake "one more than the joint before: the least that is free, and all joints count": for
+//         (std::size_t n = 0; n < k; ++n) ==> if (k > 0) ;; [n] ==> [k - 1] ;; (share && colours[n]
+//         == colour) ++colour, n = std::size_t(-1) ==> (share) colour = colours[k - 1] + 1
+// mistake "one more than the last neighbour has: the least that none of them has": (share &&
+//         colours[n] == colour) ++colour, n = std::size_t(-1) ==> (share) colour = colours[n] + 1
+// mistake "only the joint before is compared: all joints of both bodies count": for (std::size_t n
+//         = 0; n < k; ++n) ==> if (k > 0) ;; [n] ==> [k - 1] ;; n] == colour) ++colour, n =
+//         std::size_t(-1) ==> k - 1] == 0) colour = 1

@@ -2,6 +2,21 @@
 // the switch between light and dark.
 "use strict";
 
+// What the browser may not keep, or has no room for, the page remembers until it is left.
+function keep_in_page() {
+  const kept = Object.create({getItem(name) { return this[name] ?? null; },
+                              setItem(name, words) { this[name] = words; },
+                              removeItem(name) { delete this[name]; }});
+  try { Object.assign(kept, localStorage); } catch { /* it may not be read, either */ }
+  Object.defineProperty(window, "localStorage", {value: kept, configurable: true});
+  document.documentElement.dataset.unkept = "yes";
+}
+try {
+  localStorage.setItem("joint-workbook", "");
+} catch {
+  keep_in_page();
+}
+
 const dark = () => document.documentElement.classList.contains("dark-mode");
 // In the one-file edition, pages of their own are at other addresses.
 const address_of = name => (window.address_inside || String)(name);

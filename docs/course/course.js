@@ -3,8 +3,8 @@
 import * as engine from "./engine.js";
 import * as store from "./store.js";
 import {show_live} from "./scene.js";
-import {offer_file} from "./file.js";
-import {keep_offline, text as text_of} from "./where.js";
+import {element, offer_file, unkept} from "./file.js";
+import {keep_offline, text as text_of, where_in_page} from "./where.js";
 
 const {make_editor} = await import("./editor.js").catch(() => import("./plain_editor.js"));
 const places = [...document.querySelectorAll(".exercise[data-exercise]")];
@@ -13,14 +13,11 @@ const chapter = JSON.parse(await text_of(`course/chapter_${number}.json`));
 
 const stub = answers_in(chapter.stub), names = Object.keys(stub);
 const answers = {...stub, ...store.kept(names)};  // of every region, as it stands in its editor
+let undo = null;                                  // the button beside what can be undone
 const editors = {};                               // by the regions' names
 const file = () => filled(chapter.stub, answers);
 
-function element(tag, more = {}, ...children) {
-  const made = Object.assign(document.createElement(tag), more);
-  made.append(...children);
-  return made;
-}
+const same = (one, other) => JSON.stringify(one) === JSON.stringify(other);
 const button = (words, does, more = {}) =>
   element("button", {type: "button", textContent: words, onclick: does, ...more});
 
@@ -67,10 +64,10 @@ class Exercise {
       ...mine.flatMap(region => this.edited(region)), calls(),
       element("p", {className: "buttons"}, this.check,
               this.more,
-              button("Reset", () => this.reset(), {className: "reset"})),
+              button("Reset", ({target}) => this.reset(target), {className: "reset"}), unkept()),
       this.bar, this.report, this.hints, this.live);
-    this.title.classList.toggle("done", store.is_done(this.regions, chapter.version));
-    this.place.addEventListener("keydown", event => {
+    place.removeAttribute("id");  // its first editor has it
+    place.addEventListener("keydown", event => {
       if (event.key !== "Enter" || !(event.ctrlKey || event.metaKey)) return;
       event.preventDefault();
       this.test();
@@ -80,11 +77,13 @@ class Exercise {
   edited(region) {
     const name = name_of(region), [head, tail] = around(region);
     const words = lines => lines.join("\n");
-    const editor = make_editor(`Exercise ${this.id}, your code`, words(answers[name]), text => {
+    const id = `exercise-${this.id}` + (region.place > 1 ? `-${region.place}` : "");
+    const label = `Exercise ${this.id}, your code`;
+    const editor = make_editor(id, label, words(answers[name]), text => {
       answers[name] = text.split("\n");
-      if (!store.keep(name, answers[name], chapter.version))
-        this.say("This browser keeps nothing: export the file before you leave.", "bad");
-      this.stale();
+      store.keep(name, answers[name], chapter.version);
+      undo?.remove();
+      refresh();
       number_lines();
     });
     editors[name] = editor;
@@ -96,17 +95,29 @@ class Exercise {
     this.check.textContent = engine.is_loaded() ? "Check"
       : `Load the compiler (about ${size} MB) and check`;
   }
-  say(words, kind) {
+  /// Its lines in answers of the file: what a report and a mark belong to.
+  part(all) { return Object.fromEntries(this.regions.map(name => [name, all[name]])); }
+  /// \param of the lines that the words are about
+  say(words, kind, of = this.part(answers)) {
+    this.about = of;
     this.report.hidden = false;
     this.report.className = `report ${kind}`;
     const narrow = matchMedia("(max-width: 600px)").matches;  // a table needs the margin
     const here = words.replace(/\.\/wb hint \S+/g, "the button Hint")
-      .replace(/\.\/wb test \S+/g, "the button Check").replace(/(Next: [\d.]+), \S+:\d+/, "$1");
+      .replace(/\.\/wb test \S+/g, "the button Check");
     this.report.textContent = narrow ? here.replace(/^ {1,4}/gm, "") : here;
+    this.refresh();
   }
-  stale() {
-    this.report.classList.add("stale");
-    this.title.classList.remove("done");
+  /// Whether report and mark are those of the present lines.
+  refresh() {
+    this.report.classList.toggle("stale", !same(this.about, this.part(answers)));
+    this.title.classList.toggle("done", is_done(this.id));
+  }
+  /// Its lines are others: what is said of those before goes.
+  clear() {
+    this.report.hidden = true;
+    this.live.replaceChildren();
+    this.refresh();
   }
   hint() {
     const given = this.hints.children.length, all = chapter.hints[this.id] || [];
@@ -115,23 +126,22 @@ class Exercise {
     this.hints.lastChild.querySelector("details").open = true;
     this.more.disabled = given + 1 === all.length;
   }
-  reset() {
-    const mine = this.regions;
-    if (mine.some(name => answers[name].join() !== stub[name].join()) &&
-        !confirm(`Throw away your work in exercise ${this.id}?`)) return;
-    for (const name of mine) change(name, null);
-    this.report.hidden = true;
-    this.live.replaceChildren();
+  reset(beside) {
+    const undo = replace(this.part(stub), `Throw away your work in exercise ${this.id}?`);
+    if (undo) beside.after(undo);
   }
   mark(line, words) {
-    const lines = regions(file());
-    for (const region of lines) {
+    for (const region of regions(file())) {
       const inside = region.begin < line && line <= region.end;
       editors[name_of(region)].mark(inside ? line - region.begin : 0, words);
     }
   }
   async test() {
     if (this.check.hasAttribute("aria-disabled")) return;
+    this.mark(0);
+    if (regions(file()).filter(region => region.id === this.id).every(is_untouched))
+      return this.say(`${this.id}  ${chapter.titles[this.id]}: ${OPEN}\n` +
+                      "  Replace todo(...) with your code.", "open");
     if (navigator.deviceMemory < 1 && !engine.is_loaded() && !this.warned) {
       this.warned = true;
       return this.say("This device has less than 1 GB of memory, and the compiler needs about " +
@@ -158,29 +168,31 @@ class Exercise {
     keep_offline(engine.manifest);
   }
   async judge() {
-    const text = file(), mine = regions(text).filter(region => region.id === this.id);
-    this.mark(0);
-    if (mine.every(is_untouched))
-      return this.say(`${this.id}  ${chapter.titles[this.id]}: ${OPEN}\n` +
-                      "  Replace todo(...) with your code.", "open");
+    const text = file(), sent = this.part(answers);
+    const changed = () => !same(sent, this.part(answers));
     this.check.textContent = "Checking";
     const began = performance.now(), built = await engine.build_tests(chapter, text);
     if (!built.wasm) {
       const {text: words, line, words: short} = refused(built.printed, chapter, text);
-      this.mark(line, short);
-      return this.say(words, "bad");
+      if (!changed()) this.mark(line, short);
+      return this.say(words, "bad", sent);
     }
     const grade = graded(this.id, await engine.run_tests(built.wasm, chapter, text, this.id),
                          chapter, text);
     if (wants_units(grade)) await this.ask_units(grade, text);
-    this.say(told(grade, chapter, text), grade.status === DONE ? "good" : "bad");
+    if (grade.status === DONE) store.mark(this.id, sent, chapter.version);
+    else if (!changed() && is_done(this.id)) store.unmark(this.id);  // it calls what has changed
+    this.say(told(grade, chapter, text), grade.status === DONE ? "good" : "bad", sent);
     this.place.dataset.verdict = grade.status;
     this.place.dataset.took = performance.now() - began;
-    if (grade.status !== DONE) return;
-    store.keep_done(Object.fromEntries(this.regions.map(name => [name, answers[name]])),
-                    chapter.version);
-    this.title.classList.add("done");
-    await show_live(this.live, chapter, text, this.id);
+    refresh();
+    if (grade.status !== DONE || changed()) return;
+    const next = next_of(this.id);
+    if (next) this.report.append(" Next: ", element("a", {
+      href: `${next.page}#exercise-${next.id}`, textContent: `exercise ${next.id}`}));
+    await show_live(this.live, chapter, text, this.id).catch(error => {
+      this.live.textContent = `The scene cannot be shown: ${error.message}`;
+    });
   }
   async ask_units(grade, text) {
     if (!engine.manifest.sizes["units.xz"]) return;
@@ -193,13 +205,56 @@ class Exercise {
   }
 }
 
-/// Gives a region other lines, those of the stub for null, and keeps them.
-function change(name, lines) {
-  answers[name] = lines || stub[name];
-  if (lines) store.keep(name, lines, chapter.version);
-  else store.forget(name);
-  editors[name]?.set(answers[name].join("\n"));
+/// Shows other lines of a region.
+function show(name, lines) {
+  answers[name] = lines;
+  editors[name]?.set(lines.join("\n"));
   number_lines();
+  exercises.find(one => one.regions.includes(name))?.clear();
+}
+
+function give(others) {
+  undo?.remove();
+  for (const [name, lines] of Object.entries(others)) {
+    if (same(lines, stub[name])) store.forget(name);
+    else store.keep(name, lines, chapter.version);
+    show(name, lines);
+  }
+  refresh();
+}
+
+/// Gives regions other lines, {"1.3#2": lines}, and keeps them; asks where work would be lost.
+/// \returns where it was allowed, a button that undoes it, to be put behind another
+function replace(others, question) {
+  const before = Object.fromEntries(Object.keys(others).map(name => [name, answers[name]]));
+  const lost = name => !same(before[name], stub[name]) && !same(before[name], others[name]);
+  if (Object.keys(others).some(lost) && !confirm(question)) return null;
+  give(others);
+  return undo = button("Undo", ({target}) => {
+    target.previousElementSibling.focus();
+    give(before);
+  }, {className: "undo"});
+}
+
+// ---- all chapters -------------------------------------------------------------------------------
+
+const is_done = id => store.is_done(id, chapter.version);
+/// The next exercise that is not done, {page, id}, behind this one or before it.
+function next_of(id) {
+  const all = engine.manifest.chapters.flatMap(({page, ids}) => ids.map(id => ({page, id})));
+  const at = all.findIndex(one => one.id === id);
+  return [...all.slice(at + 1), ...all.slice(0, at)].find(one => !is_done(one.id));
+}
+
+/// Reports, marks, and in the list of pages how many exercises of each chapter are done.
+function refresh() {
+  exercises.forEach(one => one.refresh());
+  for (const {page, ids} of engine.manifest.chapters) {
+    const link = document.querySelector(`#pages a[href="${page}"]`);
+    link.querySelector(".count")?.remove();
+    link.append(element("span", {className: "count", title: "exercises done",
+                                 textContent: `${ids.filter(is_done).length}/${ids.length}`}));
+  }
 }
 
 /// Every editor counts its lines as the file does.
@@ -208,12 +263,19 @@ function number_lines() {
 }
 
 const exercises = places.map(place => new Exercise(place));
-offer_file(document.querySelector(".exercise-file"), chapter, file, change,
+refresh();
+offer_file(document.querySelector(".exercise-file"), chapter, file, replace,
            store.homeless(chapter.number, names));
-store.listen((name, lines) => {
-  if (!(name in stub)) return;
-  answers[name] = lines || stub[name];
-  editors[name]?.set(answers[name].join("\n"));
+store.listen(name => {
+  const lines = store.kept([name])[name] || stub[name];
+  if (name in stub && !same(lines, answers[name])) {
+    undo?.remove();
+    show(name, lines);
+  }
+  refresh();
 });
 number_lines();
+const wanted = document.getElementById(where_in_page());
+wanted?.scrollIntoView();
+wanted?.focus({preventScroll: true});
 document.documentElement.dataset.course = "ready";

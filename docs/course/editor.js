@@ -17,8 +17,9 @@ const colours = HighlightStyle.define([
   {tag: tags.comment, ...colour("comment")},
   {tag: tags.processingInstruction, ...colour("preprocessor")}]);
 
+/// \param id of the field that takes the keys
 /// \param changed called with the text at every keystroke
-export function make_editor(label, text, changed) {
+export function make_editor(id, label, text, changed) {
   let quiet = false, first = 1;  // number of the first line
   const numbers = new Compartment();
   const numbered = () => lineNumbers({formatNumber: line => String(line + first - 1)});
@@ -26,7 +27,7 @@ export function make_editor(label, text, changed) {
     numbers.of(numbered()), history(), drawSelection(), indentOnInput(), bracketMatching(), cpp(),
     indentUnit.of("  "), syntaxHighlighting(colours), EditorView.lineWrapping,
     EditorState.tabSize.of(2), keymap.of([...defaultKeymap, ...historyKeymap]),
-    EditorView.contentAttributes.of({"aria-label": label, spellcheck: "false"}),
+    EditorView.contentAttributes.of({id, "aria-label": label, spellcheck: "false"}),
     EditorView.updateListener.of(update => {
       if (update.docChanged && !quiet) changed(view.state.doc.toString());
     })]});

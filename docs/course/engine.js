@@ -48,7 +48,8 @@ export function load(chapter, told) {
   return loading;
 }
 
-const others = chapter => manifest.folders.filter(folder => folder !== chapter.folder);
+const others = chapter =>
+  manifest.chapters.map(({folder}) => folder).filter(folder => folder !== chapter.folder);
 const build = async (chapter, text, {pack, ...more}) =>
   compilation.ask("build", {path: chapter.path, text, header: "/course.pch", flags: [], ...more,
                             packs: await packed([pack])});

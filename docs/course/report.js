@@ -129,14 +129,6 @@ function units_in(results) {
     ? "Units: none that make sense: a variable is read that was never set." : said;
 }
 
-/// The next exercise that is not written yet, behind this one or before it.
-function after(id, chapter, file) {
-  const {ids} = chapter, at = ids.indexOf(id);
-  const open = new Set(regions(file).filter(is_open).map(region => region.id));
-  const next = [...ids.slice(at + 1), ...ids.slice(0, at)].find(one => open.has(one));
-  return next ? ` Next: ${next}, ${place_of(file, chapter.path, next)}` : "";
-}
-
 /// The mistake that a report names; "" if none.
 function named(report) {
   const found = /Likely mistake: ([^]*?)(?=\n\s*\n|\nWhere: |$)/.exec(report);
@@ -180,7 +172,7 @@ function told(grade, chapter, file) {
     const other = second_mistake(failures);
     if (other) out.push(folded(other, 2));
   } else {
-    out.push(`${grade.tests} tests passed.${after(id, chapter, file)}`);
+    out.push(`${grade.tests} tests passed.`);
   }
   return out.join("\n");
 }

@@ -9,3 +9,5 @@ export const text = async name => (await fetch(at(name))).text();
 export const worker = name => new Worker(at(`course/${name}`));
 /// What the compiler's worker needs to load a pack.
 export const pack = async name => ({name});
+/// The place in the page that its address names.
+export const where_in_page = () => location.hash.slice(1);

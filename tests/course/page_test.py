@@ -11,7 +11,7 @@ import sys
 import time
 from difflib import unified_diff
 
-from reader import (ENDLESS, PAGE, PATIENCE, READY, RIGHT, TRIES, WRONG, Exercise,
+from reader import (ENDLESS, PAGE, PATIENCE, READY, RIGHT, STUB, TRIES, WRONG, Exercise,
                     compiler_asked_for, file_with, lacks, solution, tab)
 
 from proofs import house, main, notes
@@ -32,9 +32,18 @@ FAULTS = {
     '  std::cout << "hello";\n  return {};': "| hello"}
 
 
+def an_untouched_stub_is_told_at_once(root, build):
+    """a stub that nobody has touched is not written yet, without the compiler"""
+    exercise, *_ = tab(Browser)
+    yield from lacks(exercise.check(), "1.1  CentreDistance::jacobian: not written yet")
+    if compiler_asked_for(exercise.browser):
+        yield "the compiler is loaded for it"
+
+
 def little_memory_is_told(root, build):
     """a device with less than 1 GB is told before the compiler is loaded"""
     exercise, *_ = tab(Browser)
+    exercise.write(WRONG)
     exercise.browser.ask("Object.defineProperty(navigator, 'deviceMemory', {value: 0.5, "
                          "configurable: true}), 0")
     yield from lacks(exercise.check(), "less than 1 GB of memory")
@@ -67,6 +76,10 @@ def the_first_exercise_can_be_done(root, build):
     yield from lacks(report, "done", "6 tests passed.")
     if not compiler_asked_for(browser):
         yield "what is asked of the server is not seen"
+    if (count := browser.ask("document.querySelector('#pages .count').innerText")) != "1/6":
+        yield f"in the list of pages stands: {count}"
+    exercise.ask(".querySelector('.report a').click(), 0")
+    browser.wait("document.activeElement.id === 'exercise-1.2'", "document.activeElement.outerHTML")
     yield from lacks(exercise.scene(), "yours")
     exercise.ask(".querySelector('.scene').replaceChildren()")
     yield from browser.console
@@ -83,6 +96,18 @@ def a_rope_moves_a_rope(root, build):
     if shown != "rope bridge":
         yield f"the scene is: {shown}"
     exercise.ask(".querySelector('.scene').replaceChildren()")
+
+
+def the_first_editor_is_near(root, build):
+    """from the second stop of the page for the keyboard a link leads to the first editor"""
+    browser = tab(Browser)[0].browser
+    browser.ask("document.querySelector('#skip').focus(), 0")
+    for key, code, more in (("Tab", 9, {}), ("Enter", 13, {"text": "\r"})):
+        for kind in ("keyDown", "keyUp"):
+            browser.call("Input.dispatchKeyEvent", type=kind, key=key, code=key,
+                         windowsVirtualKeyCode=code, **more)
+    browser.wait("document.activeElement.id === 'exercise-1.1'", "document.activeElement.outerHTML")
+    yield from ()
 
 
 def what_goes_wrong_is_told(root, build):
@@ -102,6 +127,115 @@ def what_goes_wrong_is_told(root, build):
         exercise.browser.click('[data-exercise="1.1"] button.hint')
         if (count := exercise.ask(".querySelectorAll('.hints details').length")) != k:
             yield f"after {k} hints {count} are there"
+
+
+def a_mark_is_of_the_checked_text(root, build):
+    """code changed while it is checked, reset, replaced by a file or by another tab is not done and
+    has no report of the code before; the checked code is done again"""
+    exercise, *_ = tab(Browser)
+    browser, stub = exercise.browser, json.dumps(STUB)
+    states = []
+
+    def state(after, done, reported):
+        seen = exercise.is_done(), exercise.is_reported()
+        if seen != (done, reported):
+            states.append(f"after {after}: done {seen[0]}, reported {seen[1]}")
+
+    exercise.write(WRONG)
+    exercise.write(RIGHT)
+    browser.ask(f"""(button => new MutationObserver((_, observer) => {{
+      if (button.textContent !== "Checking") return;
+      observer.disconnect();
+      {exercise.pasting(WRONG)};
+    }}).observe(button, {{childList: true}}))({exercise.place}.querySelector("button.check"))""")
+    yield from lacks(exercise.check(), "6 tests passed.")
+    exercise.await_text(WRONG)
+    state("a change while it was checked", False, False)
+    other = exercise.other_tab()
+    if other.is_done():
+        states.append("the wrong code is done in another tab")
+    exercise.check()
+    state("a check of wrong code", False, True)
+    other.write(WRONG + "  // other")
+    exercise.await_text(WRONG + "  // other")
+    state("a change in another tab", False, False)
+    browser.ask("other.remove()")
+    exercise.write(RIGHT)
+    state("the code that was checked", True, False)
+    exercise.check()
+    state("a check", True, True)
+    if len(exercise.take_in(stub, allowed=False)) != 1:
+        states.append("a file over work asks nothing")
+    state("a file that was refused", True, True)
+    exercise.take_in(stub)
+    state("a stub's file", False, False)
+    browser.ask("document.querySelector('.exercise-file .undo').click(), 0")
+    exercise.await_text(RIGHT)
+    state("the file was undone", True, False)
+    exercise.click("reset")
+    browser.wait(f"{exercise.place}.querySelector('.cm-content').innerText.includes('todo')")
+    state("a reset", False, False)
+    exercise.click("undo")
+    exercise.await_text(RIGHT)
+    state("the reset was undone", True, False)
+    exercise.write(WRONG)
+    browser.ask("""(() => {
+      const name = "joint-workbook/done/1.1", mark = JSON.parse(localStorage[name]);
+      mark.lines["1.1#1"] = JSON.parse(localStorage["joint-workbook/1.1#1"]).lines;
+      localStorage.setItem(name, JSON.stringify(mark)); })()""")
+    exercise.check()
+    state("a check that fails with the code of a mark", False, True)
+    yield from states
+
+
+def a_full_browser_marks_right_code(root, build):
+    """where the browser has no room, right code is done and a sentence says that nothing is kept;
+    where its scene cannot be shown, it is done all the same"""
+    exercise, *_ = tab(Browser)
+    browser, long = exercise.browser, f"  // {'long ' * 200}\n"
+    exercise.write(WRONG)
+    if exercise.unkept():
+        yield "nothing is kept even before"
+    browser.ask("""(() => {
+      window.real = localStorage;
+      window.way = Object.getOwnPropertyDescriptor(window, "localStorage");
+      for (let size = 1 << 22; size; size >>= 1)
+        try { for (let k = 0;; ++k) real.setItem(`${size} ${k}`, "x".repeat(size)); } catch {}
+      window.fetched = fetch;
+      window.fetch = name => String(name).endsWith("live.html")
+        ? Promise.reject(new Error("no network")) : fetched(name); })()""")
+    exercise.write(long + RIGHT)
+    yield from lacks(exercise.unkept(), "keeps nothing")
+    yield from lacks(exercise.check(), "6 tests passed.")
+    if not exercise.is_done() or exercise.ask(".querySelector('.report.good') === null"):
+        yield "right code is reported as wrong"
+    yield from lacks(exercise.ask(".querySelector('.scene').innerText"), "no network")
+    browser.ask("""(() => {
+      Object.keys(real).filter(name => /^\\d/.test(name)).forEach(name => real.removeItem(name));
+      Object.defineProperty(window, "localStorage", way);
+      window.fetch = fetched;
+      delete document.documentElement.dataset.unkept; })()""")
+
+
+def a_browser_that_keeps_nothing_is_enough(root, build):
+    """where the browser forbids to keep anything, the course is there, a sentence says so, the
+    switch between light and dark works"""
+    browser = tab(Browser)[0].browser
+    forbids = browser.call("Page.addScriptToEvaluateOnNewDocument", source="""
+      Object.defineProperty(window, "localStorage", {configurable: true, get() {
+        throw new DOMException("Access is denied", "SecurityError"); }});""")
+    before = len(browser.console)
+    other = tab(Browser)[0].other_tab()
+    browser.call("Page.removeScriptToEvaluateOnNewDocument", **forbids)
+    other.write(WRONG)
+    yield from lacks(other.unkept(), "keeps nothing")
+    page = "other.contentDocument"
+    for theme in ("dark", "light"):
+        browser.ask(f"{page}.querySelector('doxygen-awesome-dark-mode-toggle').click(), 0")
+        if not browser.ask(f"{page}.documentElement.classList.contains('{theme}-mode')"):
+            yield f"the switch does not make the page {theme}"
+    browser.ask("other.remove()")
+    yield from browser.console[before:]
 
 
 def each_chapter_is_judged(root, build):
@@ -124,12 +258,15 @@ def each_chapter_is_judged(root, build):
           }} }})()""")
         if said != "done":
             yield f"{id_}: {said}"
-        browser.ask(f"other.src = '{chapter.page_name}'")
+        browser.ask(f"other.src = '{chapter.page_name}#exercise-{id_}'")
         page = "other.contentDocument.documentElement"
         browser.wait(f"{page}.dataset.course === 'ready' && "
                      f"other.contentWindow.location.pathname === '/{chapter.page_name}'")
         wide, open_ = browser.ask(f"""[{page}.scrollWidth, {json.dumps(chapter.ids())}.filter(id =>
             !{page}.querySelector(`[data-exercise="${{id}}"] .cm-content`)).join()]""")
+        if not browser.ask(f"other.contentDocument.activeElement.closest('[data-exercise]')"
+                           f"?.dataset.exercise === '{id_}'"):
+            yield f"its address does not lead to the editor of {id_}"
         if wide > 390 or open_:
             yield f"{chapter.folder}: {wide} pixels wide, no editor: {open_ or 'none'}"
     browser.ask("other.remove()")
@@ -167,16 +304,16 @@ def nothing_is_lost(root, build, kind=Browser):
         yield from ("the exported file is not the stub with the answer in it:", *unified_diff(
             wanted.split("\n"), exported.split("\n"), "wanted", "exported", lineterm="", n=1))
     # another tab
-    browser.ask("(() => { window.other = document.createElement('iframe');"
-                "other.src = location.href; document.body.append(other); })()")
-    browser.wait("other.contentDocument.documentElement.dataset.course === 'ready'")
+    other = exercise.other_tab()
     exercise.write(WRONG)
-    browser.wait("other.contentDocument.querySelector('[data-exercise=\"1.1\"] .cm-content')"
-                 ".textContent.includes('{n,')")
+    other.await_text(WRONG)
     browser.ask("other.remove()")
     # import
-    exercise.take_in("window.exported")
-    browser.wait(f"{exercise.place}.querySelector('.cm-content').textContent.includes('-n')")
+    exercise.take_in("window.exported.replaceAll('\\n', '\\r\\n')")
+    exercise.await_text(RIGHT)
+    said = browser.ask("document.querySelector('.exercise-file .said').innerText")
+    if not said.endswith("taken from the file."):
+        yield f"of a file from Windows it says: {said}"
     server.shutdown()
     server.server_close()
     if kept != "ready":
@@ -214,9 +351,11 @@ def one_file_is_enough(root, build, kind=Browser):
             yield f"{name}: a picture is missing: {lost}"
 
 
-PROOFS = [little_memory_is_told, the_first_exercise_can_be_done, a_rope_moves_a_rope,
-          what_goes_wrong_is_told, each_chapter_is_judged, a_telephone_shows_it, nothing_is_lost,
-          one_file_is_enough]
+PROOFS = [an_untouched_stub_is_told_at_once, little_memory_is_told, the_first_editor_is_near,
+          the_first_exercise_can_be_done, a_rope_moves_a_rope, what_goes_wrong_is_told,
+          a_mark_is_of_the_checked_text, a_full_browser_marks_right_code,
+          a_browser_that_keeps_nothing_is_enough, each_chapter_is_judged, a_telephone_shows_it,
+          nothing_is_lost, one_file_is_enough]
 
 if __name__ == "__main__":
     try:

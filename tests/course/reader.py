@@ -35,10 +35,10 @@ class Exercise:
     def ask(self, code):
         return self.browser.ask(f"{self.place}{code}")
 
-    def write(self, text):
-        """Pastes it in place of the contents of the exercise's first editor, which its own key
-        selects: it hears of the page's selection late where the machine is busy."""
-        self.browser.ask(f"""(() => {{
+    def pasting(self, text):
+        """Code that puts it in place of the contents of the exercise's first editor, which its own
+        key selects: it hears of the page's selection late where the machine is busy."""
+        return f"""(() => {{
           const editor = {self.place}.querySelector(".cm-content"), data = new DataTransfer();
           const text = {json.dumps(text)}, dataType = "text/plain";
           data.setData(dataType, text);
@@ -47,7 +47,10 @@ class Exercise:
           const send = event => editor.dispatchEvent(event);
           editor.focus();
           send(new KeyboardEvent("keydown", {{key: "a", keyCode: 65, ctrlKey: true, ...all}}));
-          send(new ClipboardEvent("paste", {{...paste, ...all}})); }})()""")
+          send(new ClipboardEvent("paste", {{...paste, ...all}})); }})()"""
+
+    def write(self, text):
+        self.browser.ask(self.pasting(text))
         self.await_text(text)
 
     def await_text(self, text):
@@ -71,12 +74,34 @@ class Exercise:
                 break
         return report
 
-    def take_in(self, text):
-        """Imports a file; `text` as JavaScript writes it."""
-        self.browser.ask(f"""(async () => {{ const all = new DataTransfer();
+    def is_done(self):
+        return self.ask(".querySelector('h3').classList.contains('done')")
+
+    def is_reported(self):
+        """Whether a report is shown, and of the text in the editors."""
+        return self.ask(".querySelector('.report:not([hidden]):not(.stale)') !== null")
+
+    def click(self, name):
+        self.ask(f".querySelector('button.{name}').click(), 0")
+
+    def other_tab(self):
+        """The same exercise in another document; its frame, `other`, is to be removed."""
+        self.browser.ask("(() => { window.other = document.createElement('iframe');"
+                         "other.src = location.href; document.body.append(other); })()")
+        self.browser.wait("other.contentDocument.documentElement.dataset.course === 'ready'")
+        return Exercise(self.browser, page="other.contentDocument")
+
+    def unkept(self):
+        """What is seen of the sentence that the browser keeps nothing."""
+        return self.ask(".innerText.match(/.*keeps nothing.*/)?.[0] || ''")
+
+    def take_in(self, text, allowed=True):
+        """Imports a file, `text` as JavaScript writes it; \returns the questions before it."""
+        return self.browser.ask(f"""(async () => {{ const all = new DataTransfer(), asked = [];
+          confirm = question => {{ asked.push(question); return {json.dumps(allowed)}; }};
           const field = {self.page}.querySelector(".exercise-file input");
           all.items.add(new File([{text}], "answers.cpp")); field.files = all.files;
-          await field.onchange(); }})()""")
+          await field.onchange(); return asked; }})()""")
 
     def scene(self, state=MOVES):
         """The words of the scene below, once it moves."""
@@ -111,10 +136,12 @@ def tab(kind):
     return Exercise(browser), server, address
 
 
+STUB = exercises.stub(read(house.chapter_of("1").solution))  # of chapter 1
+
+
 def file_with(answer):
-    """The stub of chapter 1 with an answer of 1.1."""
-    stub = exercises.stub(read(house.chapter_of("1").solution))
-    return exercises.replace(stub, lambda region, place:
+    """The stub with an answer of 1.1."""
+    return exercises.replace(STUB, lambda region, place:
                              answer.split("\n") if region.id == "1.1" else None)
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from base import exercises, house
 from course import parts
 from judge import crashes
-from website import docs
+from website import docs, shell
 
 OUT = house.OUT / "course"
 HERE = parts.HERE
@@ -102,6 +102,9 @@ def with_exercises(text, chapter):
             '<script src="course/regions.js"></script><script src="course/report.js"></script>\n'
             '<script type="module" src="course/course.js" '
             f'data-chapter="{chapter.number}"></script>\n')
+    first = chapter.ids()[0]
+    text = text.replace(shell.SKIP, f'{shell.SKIP}<a href="#exercise-{first}">'
+                                    f"Skip to exercise {first}</a>", 1)
     return re.sub(r"(?=</head>\s*<body)", lambda _: head, text, count=1)
 
 
@@ -165,7 +168,8 @@ def write_manifest(folder):
         "version": house.version(), "sources": sources(),
         "cache": f"joint-workbook-{digest.hexdigest()[:16]}",
         "sizes": {path.name: path.stat().st_size for path in sorted(folder.glob("*.xz"))},
-        "folders": [chapter.folder for chapter in house.chapters()],
+        "chapters": [{"folder": chapter.folder, "page": chapter.page_name, "ids": chapter.ids()}
+                     for chapter in house.chapters()],
         "files": names}), encoding="utf-8")
 
 

@@ -75,6 +75,8 @@
   }
 
 // region 2
+// wrong "cases drawn with seed 1 are wrong": for (int k = count - 1; ==> for (int i = 0; i <
+//         A.nodes.back().row; ++i) if (std::abs(x[i]) < 1e-9) x[i] = 0; for (int k = count - 1;
 // wrong drawn-stops: count = int(A.nodes.size()) - 1; ==> count = std::min(16, int(A.nodes.size())
 //         - 1);
 // wrong forward-without-division: divide(number + node.diagonal, node.rows, x + node.row); ==>

@@ -62,7 +62,7 @@ inline Drawn drawn_factor(Draw& d) {
   const MatrixCase c = drawn_matrix(d);
   JointMatrix A = joint_matrix(c);
   factor(A, c.inverse);
-  const Numbers yours = flat(A), right = flat(FactorReference(c).factored());
+  const Numbers yours = flat(A), right = flat(right_factor(c));
   std::vector<std::string> names;
   Drawn out{{""}, {0}, {0}, {1}};
   for (std::size_t i = 0; i < right.size(); ++i) {
@@ -85,7 +85,7 @@ inline Drawn drawn_solve(Draw& d) {
   for (int i = 0; i < c.size(); ++i) b.push_back(size * double(random.uniform(1, 3)));
   x = b;
   x.resize(b.size() + 8, 0);
-  solve(FactorReference(c).factored(), x.data());
+  solve(right_factor(c), x.data());
   Drawn out{{}, Numbers(b.size(), 0), b, {size}};
   for (int i = 0; i < c.size(); ++i) {
     for (int j = 0; j < c.size(); ++j) out.yours[std::size_t(i)] += c.A(i, j) * x[std::size_t(j)];

@@ -12,7 +12,8 @@ int main(int argc, char** argv) {{
   return joints::compare_main([] {{ return make_world(); }}, argc, argv);
 }}
 """
-WANTED = "a scene is a file with one function, World make_world() {...}; docs/which_method.md shows one"
+WANTED = ("a scene is a file with one function, World make_world() {...}; "
+          "docs/which_method.md shows one")
 
 
 def main(file, options):

@@ -4,10 +4,11 @@
 
 #include <array>
 
+#include "chapters/11_reduced/reduced.h"
 #include "joints/limits_and_springs.h"
-#include "reduced/link.h"
 
-/// \addtogroup reduced
+/// \defgroup reduced Reduced coordinates
+/// \brief Trees of joints with one number per degree of freedom.
 /// @{
 namespace joints {
 

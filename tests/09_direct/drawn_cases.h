@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tests/09_direct/factor_cases.h"
-#include "tests/09_direct/newton_reference.h"
+#include "tests/09_direct/newton_cases.h"
 #include "tests/09_direct/pivot_cases.h"
 #include "tests/09_direct/side_cases.h"
 #include "tests/09_direct/slowed_cases.h"
@@ -62,7 +62,7 @@ inline Drawn drawn_factor(Draw& d) {
   const MatrixCase c = drawn_matrix(d);
   JointMatrix A = joint_matrix(c);
   factor(A, c.inverse);
-  const Numbers yours = flat(A), right = flat(FactorReference(c).factored());
+  const Numbers yours = flat(A), right = flat(right_factor(c));
   std::vector<std::string> names;
   Drawn out{{""}, {0}, {0}, {1}};
   for (std::size_t i = 0; i < right.size(); ++i) {
@@ -78,13 +78,15 @@ inline Drawn drawn_factor(Draw& d) {
 /// Instead of x: A x beside b.
 inline Drawn drawn_solve(Draw& d) {
   const MatrixCase c = drawn_matrix(d);
+  const double size = d.size("b", d.scale(12), "m/s");
+  d.size("b / K", size / c.A(0, 0), "N s");
   Random random = d.many();
   Numbers b, x;
-  for (int i = 0; i < c.size(); ++i) b.push_back(double(random.uniform(1, 3)));
+  for (int i = 0; i < c.size(); ++i) b.push_back(size * double(random.uniform(1, 3)));
   x = b;
   x.resize(b.size() + 8, 0);
-  solve(FactorReference(c).factored(), x.data());
-  Drawn out{{}, Numbers(b.size(), 0), b, {1}};
+  solve(right_factor(c), x.data());
+  Drawn out{{}, Numbers(b.size(), 0), b, {size}};
   for (int i = 0; i < c.size(); ++i) {
     for (int j = 0; j < c.size(); ++j) out.yours[std::size_t(i)] += c.A(i, j) * x[std::size_t(j)];
     out.entries.push_back("A x, row " + std::to_string(i) + " (node " +
@@ -167,6 +169,8 @@ inline Drawn drawn_slowed(Draw& d) {
   const Draw::Units u = d.units();
   SlowedCase c{"", d.body(u), 0, 0, 8, real(0.01 * u.s)};
   const double inertia = d.size("inertia", u.kg * u.m * u.m, "kg m^2");
+  const double thin = d.chance("it is a thin rod") ? std::pow(10, is_float ? 2 : 6 * d.pick()) : 1;
+  c.body.inverse_inertia_local[int(2.99 * d.pick())] *= real(d.size("I / I", thin, ""));
   c.kappa = real(8 * d.scale(is_float ? 1 : 5));
   c.force_lever = real(inertia * d.scale(is_float ? 1 : 4)) / (c.kappa * c.h * c.h);
   c.before = d.chance("the last step slowed it, too") ? real(inertia * d.scale(1)) : real(0);
@@ -181,7 +185,7 @@ inline Drawn drawn_slowed(Draw& d) {
   const Slowed out = slowed(c.body, c.force_lever, c.before, c.kappa, c.h);
   return drawn_vectors({"1 / moment", "w"},
                        flat(std::vector<vec3>{out.inverse_inertia_local, out.w}),
-                       SlowedReference(c).numbers(), {10 / inertia, 1 / u.s});
+                       right_slowed(c), {10 / inertia, 1 / u.s});
 }
 
 /// A chain of bodies whose joints are balls, and hinges beyond their limit.
@@ -327,13 +331,9 @@ inline Drawn drawn_newton(Draw& d) {
       }
     return out;
   };
-  const NewtonReference reference{newton_cases()[0]};
   Drawn out{{"result (0 false, 1 true)", "calls of errors()"},
             run(move_onto_constraints), {}, {20}};
-  out.right = run([&](Bodies& all, double step, int most, double enough, Corrector& corrector,
-                      std::vector<Body>& start) {
-    return reference.move(all, step, most, enough, corrector, start);
-  });
+  out.right = run(right_move);
   d.size("error of the last correction", last, "m");
   for (int k = 0; k < slots; ++k)
     for (const char* of : {"x.x", "h v.x", "x.y", "h v.y", "x.z", "h v.z"})

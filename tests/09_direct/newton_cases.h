@@ -1,4 +1,4 @@
-// Exercise 9.6: Newton's method on the positions: correctors that a test can follow, and cases.
+// Exercise 9.6: Newton's method on the positions as a table: correctors that a test can follow.
 #pragma once
 
 #include <memory>
@@ -244,6 +244,76 @@ Numbers newton_numbers(const NewtonCase& c, bool ends_well, const Move& move) {
   for (int k = 0; k < 4; ++k) append_body(at_end, bodies.at(k));
   append(ends_well ? at_end : Numbers(at_end.size(), 0));
   return padded(out, numbers_of_newton);
+}
+
+inline std::vector<std::string> newton_names(const NewtonCase&) {
+  std::vector<std::string> out{"result (0 false, 1 true)", "calls of errors()",
+                               "calls of change_rates()"};
+  const auto call = [](std::size_t n) { return " " + std::to_string(n + 1); };
+  for (std::size_t n = 0; n < asked_at_most; ++n)
+    for (const char* what : {"x.x", "x.y", "q.w", "q.z"})
+      out.push_back(std::string(what) + " at errors()" + call(n));
+  for (std::size_t n = 0; n < asked_at_most; ++n)
+    for (int i = 0; i < 3; ++i)
+      out.push_back("rates[" + std::to_string(i) + "] at change_rates()" + call(n));
+  out.push_back("bodies in start");
+  for (const char* what : {"x.x", "x.y", "x.z", "v.x", "v.y", "v.z"})
+    out.push_back(std::string("start[1].") + what);
+  for (int k = 0; k < 4; ++k)
+    for (const char* what : {"x.x", "x.y", "x.z", "v.x", "v.y", "v.z", "w.x", "w.y", "w.z", "q.w",
+                             "q.x", "q.y", "q.z"})
+      out.push_back(std::string(what) + " of body " + std::to_string(k) + " at the end");
+  return out;
+}
+
+/// Eq. 9-10.
+inline bool right_move(Bodies& bodies, double h, int iterations, double tolerance,
+                       Corrector& corrector, std::vector<Body>& start) {
+  double last = std::numeric_limits<double>::infinity();
+  for (int left = iterations;; --left) {
+    start.assign(bodies.data(), bodies.data() + bodies.slots());
+    integrate_poses(bodies, real(h));
+    std::vector<double> rates = corrector.errors();
+    double largest = 0;
+    for (const double C : rates) largest = std::max(largest, std::abs(C));
+    if (largest <= tolerance) return true;
+    if (left == 0 || largest > poor_contraction * last) return false;
+    last = largest;
+    for (double& C : rates) C = -C / h;
+    for (int slot = 0; slot < bodies.slots(); ++slot)
+      bodies.at(slot) = start[std::size_t(slot)];
+    corrector.change_rates(rates);
+  }
+}
+
+inline constexpr Subject newton_subject{"9.6", "Newton's method on the positions"};
+inline CaseTable<NewtonCase> newton_table() {
+  auto table = padded_table<NewtonCase>(newton_subject, numbers_of_newton, newton_names);
+  table.tolerance = 10 * rounding;
+  table.cases = newton_cases();
+  // the bodies at the end matter where the right answer ends well
+  const auto numbers = [](auto move, const NewtonCase& c) {
+    Bodies bodies = newton_bodies(c);
+    std::vector<Body> start;
+    const bool ends_well =
+        right_move(bodies, c.h, c.iterations, c.tolerance, *c.corrector(bodies), start);
+    return newton_numbers(c, ends_well, move);
+  };
+  judge(table, move_onto_constraints, numbers);
+  table.right = [=](const NewtonCase& c) { return numbers(right_move, c); };
+  tell_where_it_holds(table);
+  return table;
+}
+
+/// For a test of another kind: the table's mistakes explain whatever is wrong.
+inline void expect_newton(const std::string& entry, double yours, double right, double tolerance,
+                          const std::string& words = "") {
+  const bool same = std::abs(yours - right) <= tolerance;
+  const std::string given = words.empty() ? "" : "Case: " + words + ".";
+  Subject about = newton_subject;
+  about.given = given.c_str();
+  expect(about, entry, yours, right, tolerance,
+         same ? std::vector<Suspect>{} : newton_table().explain(yours));
 }
 
 }  // namespace joints::testing

@@ -1,4 +1,4 @@
-// Exercise 9.3: the order of elimination that is right, and those of the usual mistakes.
+// Exercise 9.3: the order of elimination that is right, and the report on yours.
 #pragma once
 
 #include <algorithm>
@@ -15,56 +15,29 @@
 
 namespace joints::testing {
 
-// ---- right and wrong ----------------------------------------------------------------------------
+// ---- what is right -----------------------------------------------------------------------------
 
-/// The elimination, with the parts that a mistake may change.
-struct OrderReference {
-  Graph graph;
-  enum class By { fewest, most, first_lists, number } by = By::fewest;
-  bool greatest = false;         ///< of equals that with the greatest number
-  bool fills = true;             ///< neighbours become neighbours of each other
-  bool leaves = true;            ///< the eliminated one leaves the lists of its neighbours
-  bool half_fill = false;        ///< only one of two becomes a neighbour of the other
-  bool doubles = false;          ///< a neighbour may be counted several times
-  bool with_itself = false;      ///< who gets new neighbours counts itself as well
-
-  std::vector<int> order() const {
-    const int n = int(graph.size());
-    std::vector<std::multiset<int>> left;
-    for (const auto& of : graph) left.push_back({of.begin(), of.end()});
-    std::vector<int> out;
-    const auto place = [&](int a) { return std::pair(value(left, a), greatest ? -a : a); };
-    std::set<std::pair<int, int>> queue;
-    for (int a = 0; a < n; ++a) queue.insert(place(a));
-    while (!queue.empty()) {
-      const auto first = *queue.begin();
-      const int best = std::abs(first.second);
-      queue.erase(first);
-      out.push_back(best);
-      const std::multiset<int> around = left[std::size_t(best)];
-      for (const int a : around) {
-        std::multiset<int>& mine = left[std::size_t(a)];
-        const bool remains = queue.erase(place(a)) > 0;
-        if (leaves) mine.erase(best);
-        for (const int b : around)
-          if (fills && (with_itself || b != a) && (doubles || mine.count(b) == 0) &&
-              !(half_fill && b < a))
-            mine.insert(b);
-        if (remains) queue.insert(place(a));
-      }
+/// By the text's rule; of equals the node with the least number.
+inline std::vector<int> right_order(const Graph& graph) {
+  std::vector<std::set<int>> left;
+  for (const auto& of : graph) left.emplace_back(of.begin(), of.end());
+  std::vector<int> remaining(graph.size()), out;
+  std::iota(remaining.begin(), remaining.end(), 0);
+  while (!remaining.empty()) {
+    const auto best = std::min_element(remaining.begin(), remaining.end(), [&](int a, int b) {
+      return left[std::size_t(a)].size() < left[std::size_t(b)].size();
+    });
+    const std::set<int> around = left[std::size_t(*best)];
+    for (const int a : around) {
+      left[std::size_t(a)].insert(around.begin(), around.end());
+      left[std::size_t(a)].erase(a);
+      left[std::size_t(a)].erase(*best);
     }
-    return out;
+    out.push_back(*best);
+    remaining.erase(best);
   }
-
- private:
-  int value(const std::vector<std::multiset<int>>& left, int a) const {
-    if (by == By::number) return a;
-    if (by == By::first_lists) return int(graph[std::size_t(a)].size());
-    const int neighbours = int(left[std::size_t(a)].size());
-    return by == By::most ? -neighbours : neighbours;
-  }
-};
-inline std::vector<int> right_order(const Graph& graph) { return OrderReference{graph}.order(); }
+  return out;
+}
 
 /// What elimination costs by an order that has each node once: pairs that become neighbours, and
 /// multiplications where each node has one row.
@@ -106,10 +79,6 @@ inline bool each_once(const Graph& graph, std::vector<int> order) {
   return order == all;
 }
 
-struct OrderMistake {
-  std::string words;
-  Call<std::vector<int>(const Graph&)> of;
-};
 /// True if the nodes, backwards, are as a search finds them that looks at all neighbours of a node
 /// before it goes on: from any node, with the neighbours of each in any order.
 inline bool breadth_first_backwards(const Graph& graph, std::vector<int> order) {
@@ -130,67 +99,6 @@ inline bool breadth_first_backwards(const Graph& graph, std::vector<int> order) 
   }
   return true;
 }
-inline std::vector<OrderMistake> order_mistakes() {
-  using R = OrderReference;
-  const auto with = [](auto change) {
-    return [=](const Graph& graph) {
-      R r{graph};
-      change(r);
-      return r.order();
-    };
-  };
-  const char* const most = "#most-neighbours-first the node with the most neighbours comes first: "
-                           "the fewest make little fill";
-  return {
-      {most, with([](R& r) { r.by = R::By::most; })},
-      {std::string(most) + ", and of equals the least number",
-       with([](R& r) { r.by = R::By::most, r.greatest = true; })},
-      {"#pair-other-way-round the nodes in their own order: the one with the fewest neighbours "
-       "left comes first",
-       with([](R& r) { r.by = R::By::number; })},
-      {"the nodes in their own order, backwards: the one with the fewest neighbours left comes "
-       "first",
-       [](const Graph& graph) {
-         std::vector<int> order(graph.size());
-         std::iota(order.rbegin(), order.rend(), 0);
-         return order;
-       }},
-      {"#number-neighbours-first the original neighbours are counted: the remaining ones count, "
-       "with those filled in. Is a node taken out of the queue and put in again where its number "
-       "changes?",
-       with([](R& r) { r.by = R::By::first_lists; })},
-      {"#sorted-once-not-stably the original neighbours are counted, and of equals the greatest "
-       "number comes first: the remaining ones count, with those filled in",
-       with([](R& r) { r.by = R::By::first_lists, r.greatest = true; })},
-      {"#no-fill nothing is filled in: an eliminated node makes its neighbours neighbours of each "
-       "other",
-       with([](R& r) { r.fills = false; })},
-      {"an eliminated node stays in the sets of its neighbours: only the remaining ones count",
-       with([](R& r) { r.leaves = false; })},
-      {"an eliminated node stays in the sets of its neighbours, and nothing is filled in",
-       with([](R& r) { r.leaves = false, r.fills = false; })},
-      {"only one of two becomes a neighbour of the other: both do",
-       with([](R& r) { r.half_fill = true; })},
-      {"a neighbour is counted twice where it is one already: a set has it once",
-       with([](R& r) { r.doubles = true; })},
-      {"a node becomes a neighbour of itself: leave that one out",
-       with([](R& r) { r.with_itself = true; })},
-      {"#backwards the right order backwards: the node with the fewest neighbours comes first",
-       [](const Graph& graph) {
-         std::vector<int> order = right_order(graph);
-         std::reverse(order.begin(), order.end());
-         return order;
-       }},
-      {"#places-returned the place of each node in the order is returned: return the nodes in that "
-       "order",
-       [](const Graph& graph) {
-         const std::vector<int> order = right_order(graph);
-         std::vector<int> place(order.size());
-         for (std::size_t k = 0; k < order.size(); ++k) place[std::size_t(order[k])] = int(k);
-         return place;
-       }}};
-}
-
 // ---- the report ---------------------------------------------------------------------------------
 
 inline constexpr Subject order_subject{"9.3", "the order of elimination"};
@@ -263,11 +171,11 @@ inline std::string explain_order() {
                           std::to_string(cases.size()) + " graphs" +
                           (holds.empty() ? "" : ", such as " + holds.back()) + ".\n";
   if (!nodes.empty()) return out + likely(nodes);
-  for (const OrderMistake& mistake : order_mistakes()) {
+  for (const auto& [words, wrong] : known_mistakes<std::vector<int>(Graph)>("9.3", 1)) {
     bool fits = true;
     for (std::size_t k = 0; fits && k < cases.size(); ++k)
-      fits = mistake.of(cases[k].neighbours) == yours[k];
-    if (fits) return out + likely(mistake.words);
+      fits = wrong(cases[k].neighbours) == yours[k];
+    if (fits) return out + likely(words);
   }
   bool breadth_first = true;
   for (std::size_t k = 0; k < cases.size(); ++k)

@@ -1,4 +1,4 @@
-// Exercise 9.8: bodies that lack inertia, and the path to the answer.
+// Exercise 9.8: bodies that lack inertia as a table.
 #pragma once
 
 #include <algorithm>
@@ -69,28 +69,33 @@ inline std::vector<SlowedCase> slowed_cases() {
   return out;
 }
 
-/// The path to the answer, each piece by itself.
-struct SlowedReference {
-  using R = SlowedReference;
-  SlowedCase c;
-  vec3 moments, local;
-  real follows, before;
-  bool inverse = true;
-  Call<vec3(const R&)> now_of = {}, ratio_of = {}, w_of = {};
-  explicit SlowedReference(const SlowedCase& c)
-      : c(c), moments(real(1) / c.body.inverse_inertia_local),
-        local(to_local(c.body, c.body.w)), follows(followed(c)), before(c.before) {}
-  vec3 now() const { return now_of ? now_of(*this) : max(moments, vec3(follows)); }
-  vec3 last() const { return max(moments, vec3(before)); }
-  vec3 ratio() const { return ratio_of ? ratio_of(*this) : min(vec3(1), last() / now()); }
-  vec3 factors() const {
-    const vec3 r = ratio();
-    return vec3(std::sqrt(r.x), std::sqrt(r.y), std::sqrt(r.z));
+/// The inverse moments and the angular velocity, Eq. 9-13 and 9-14.
+inline Numbers right_slowed(const SlowedCase& c) {
+  const vec3 local = to_local(c.body, c.body.w);
+  vec3 inverse, w;
+  for (int k = 0; k < 3; ++k) {
+    const real own = 1 / c.body.inverse_inertia_local[k];
+    const real now = std::max(own, followed(c));
+    inverse[k] = 1 / now;
+    w[k] = std::sqrt(std::min(real(1), std::max(own, c.before) / now)) * local[k];
   }
-  Numbers numbers() const {
-    const vec3 w = w_of ? w_of(*this) : to_world(c.body, factors() * local);
-    return flat(std::vector<vec3>{inverse ? real(1) / now() : now(), w});
-  }
-};
+  return flat(std::vector<vec3>{inverse, to_world(c.body, w)});
+}
+
+inline CaseTable<SlowedCase> slowed_table() {
+  CaseTable<SlowedCase> table{{"9.8", "a body with more inertia"},
+                              {"inverse_inertia", "w"}, {}, {}, {}, slowed_cases()};
+  table.tolerance = 10 * rounding;
+  table.in_pairs = true;
+  judge(table, slowed, [](auto slow, const SlowedCase& c) {
+    const Slowed out = slow(c.body, c.force_lever, c.before, c.kappa, c.h);
+    return flat(std::vector<vec3>{out.inverse_inertia_local, out.w});
+  });
+  table.right = right_slowed;
+  table.given = [copy = table](const SlowedCase& c) {
+    return slowed_given(c) + " " + copy.holds_in();
+  };
+  return table;
+}
 
 }  // namespace joints::testing

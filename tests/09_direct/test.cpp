@@ -2,13 +2,13 @@
 // stub and with every known wrong and right answer.
 #include "tests/09_direct/coupling_cases.h"
 #include "tests/09_direct/factor_cases.h"
-#include "tests/09_direct/newton_mistakes.h"
+#include "tests/09_direct/newton_cases.h"
 #include "tests/09_direct/order_cases.h"
 #include "tests/09_direct/pivot_cases.h"
 #include "tests/09_direct/side_cases.h"
-#include "tests/09_direct/slowed_mistakes.h"
+#include "tests/09_direct/slowed_cases.h"
 #include "tests/09_direct/solve_cases.h"
-#include "tests/09_direct/time_mistakes.h"
+#include "tests/09_direct/time_cases.h"
 #include "tests/checker/catch.h"
 
 using namespace joints;
@@ -34,6 +34,10 @@ TEST_CASE("9.1 rows that only turn are coupled by their angular halves", "[9.1]"
 
 TEST_CASE("9.1 each entry grows by the rate of a row per unit impulse along a column", "[9.1]") {
   coupling_table().check();
+}
+
+TEST_CASE("9.1 blocks of light and of heavy bodies are coupled alike", "[9.1]") {
+  check_drawn(coupling_table().subject, drawn_coupling);
 }
 
 // ---- 9.2 the factor -----------------------------------------------------------------------------

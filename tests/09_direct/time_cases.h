@@ -1,4 +1,4 @@
-// Exercise 9.5: worlds that are stepped a few times, and their numbers.
+// Exercise 9.5: worlds that are stepped a few times as a table.
 #pragma once
 
 #include "chapters/09_direct/direct.h"
@@ -135,6 +135,27 @@ inline std::vector<std::string> time_names(const TimeCase& c) {
     }
   }
   return out;
+}
+
+inline CaseTable<TimeCase> time_table() {
+  auto table = padded_table<TimeCase>(time_subject, numbers_of_time, time_names);
+  table.tolerance = 10 * rounding;
+  table.cases = time_cases();
+  judge(table, second_order_step, [](auto step, const TimeCase& c) { return stepped(c, step); });
+  table.right = [](const TimeCase& c) {
+    return stepped(c, [](World& world, Solver& solver, real h) {
+      step(world, solver, h, {.leapfrog = true});
+    });
+  };
+  tell_where_it_holds(table);
+  return table;
+}
+
+/// For a test of another kind: the table's mistakes explain whatever is wrong.
+inline void expect_time(const std::string& entry, double yours, double right, double tolerance) {
+  const bool same = std::abs(yours - right) <= tolerance;
+  expect(time_subject, entry, yours, right, tolerance,
+         same ? std::vector<Suspect>{} : time_table().explain(yours));
 }
 
 }  // namespace joints::testing

@@ -145,12 +145,6 @@ class CaseTable : public AnyTable {
       return same_in_all(numbers, mistake.does.of);
     });
   }
-  /// Takes out the mistakes that give the right numbers in all cases: in float the small ones do.
-  void leave_out_harmless() {
-    std::erase_if(mistakes, [this](const AnyMistake& mistake) {
-      return same_in_all(mistake.does.of, [this](const void* c) { return right(as_case(c)); });
-    });
-  }
 
  private:
   static const Case& as_case(const void* c) { return *static_cast<const Case*>(c); }

@@ -4,16 +4,20 @@
 //         break;
 // wrong small-type: const int node = queue.begin()->second; ==> const int node = (unsigned
 //         char)(queue.begin()->second);
-// wrong most-neighbours-first: queue.begin() ==> std::prev(queue.end()) ;; (queue.begin()) ==>
-//         (std::prev(queue.end()))
-// wrong no-fill: if (b != a) left[a].insert(b); ==> (void)b;
+// mistake "the node with the most neighbours comes first: the fewest make little fill":
+//         queue.begin() ==> std::prev(queue.end()) ;; (queue.begin()) ==> (std::prev(queue.end()))
+// mistake "nothing is filled in: an eliminated node makes its neighbours neighbours of each other":
+//         if (b != a) left[a].insert(b); ==> (void)b;
 // wrong doubled-neighbours: left[a].erase(node); ==>
-// wrong number-neighbours-first: queue.erase({left[a].size(), a}); ==> ;;
-//         queue.insert({left[a].size(), a}); ==>
+// mistake "the original neighbours are counted: the remaining ones count, with those filled in. Is
+//         a node taken out of the queue and put in again where its number changes?":
+//         queue.erase({left[a].size(), a}); ==> ;; queue.insert({left[a].size(), a}); ==>
 // wrong "only 4 of 5 nodes: go on until none remains, also where a node has no":
 //         queue.insert({left[a].size(), a}); ==>
-// wrong backwards: order.push_back(node); ==> order.insert(order.begin(), node);
-// wrong sorted-once-not-stably:
+// mistake "the right order backwards: the node with the fewest neighbours comes first":
+//         order.push_back(node); ==> order.insert(order.begin(), node);
+// mistake "the original neighbours are counted, and of equals the greatest number comes first: the
+//         remaining ones count, with those filled in":
   for (int k = int(neighbours.size()); k-- > 0;) order.push_back(k);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
     return neighbours[std::size_t(a)].size() < neighbours[std::size_t(b)].size();
@@ -48,18 +52,30 @@
       }
     }
   }
-// wrong places-returned: while ==> order.resize(left.size()); int place = 0; while ;;
-//         .push_back(node) ==> [std::size_t(node)] = place++
-// wrong "Holds in 19 of 20 graphs": queue.begin()->second; ==> order.empty() && neighbours.size() ==
-//         6 && neighbours[0].size() == 2 ? 0 : queue.begin()->second; ;; queue.erase(queue.begin());
-//         ==> queue.erase({left[node].size(), node});
+// mistake "the place of each node in the order is returned: return the nodes in that order": while
+//         ==> order.resize(left.size()); int place = 0; while ;; .push_back(node) ==>
+//         [std::size_t(node)] = place++
+// wrong "Holds in 19 of 20 graphs": queue.begin()->second; ==> order.empty() && neighbours.size()
+//         == 6 && neighbours[0].size() == 2 ? 0 : queue.begin()->second; ;;
+//         queue.erase(queue.begin()); ==> queue.erase({left[node].size(), node});
 // expects: Neighbours: 0-3 0-5 1-4 2-5 2-4
 // expects: A tenth of so few blocks is less than one
-// wrong pair-other-way-round: std::size_t, int ==> int, std::size_t ;; left.back().size(), int ==>
-//         int ;; 1 ==> 1, left.back().size() ;; second ==> first ;; left[a].size(), a ==> a,
-//         left[a].size() ;; left[a].size(), a ==> a, left[a].size()
+// mistake "the nodes in their own order: the one with the fewest neighbours left comes first":
+//         std::size_t, int ==> int, std::size_t ;; left.back().size(), int ==> int ;; 1 ==> 1,
+//         left.back().size() ;; second ==> first ;; left[a].size(), a ==> a, left[a].size() ;;
+//         left[a].size(), a ==> a, left[a].size()
 // wrong nothing-returned: order.push_back(node); ==>
 // wrong "there is no node 5: they are counted from 0": (node) ==> (node + 1)
+// mistake "the node with the most neighbours comes first: the fewest make little fill, and of
+//         equals the least number": {left.back().size(), ==> {-left.back().size(), ;;
+//         {left[a].size(), a} ==> {-left[a].size(), a} ;; {left[a].size(), a} ==> {-left[a].size(),
+//         a}
+// mistake "the nodes in their own order: the one with the fewest neighbours left comes first":
+//         while (!queue.empty()) ==> for (int k = 0; k < int(left.size()); ++k) order.push_back(k);
+//         while (false)
+// mistake "the nodes in their own order, backwards: the one with the fewest neighbours left comes
+//         first": while (!queue.empty()) ==> for (int k = int(left.size()); k-- > 0;)
+//         order.push_back(k); while (false)
 // right of equals a neighbour of the last one: node ==> before =
 //         order.empty() ? -1 : order.back(); auto best ;; ->second ==> ; for (auto q = best; before
 //         >= 0 && q != queue.end() && q->first == best->first; ++q) if (!neighbours[before].empty()

@@ -1,63 +1,101 @@
-// wrong only-y-gravity: world.gravity, ==> vec3(0, world.gravity.y, 0),
+// mistake "only the y of gravity acts: world.gravity is a vector": world.gravity, ==> vec3(0,
+//         world.gravity.y, 0),
 // wrong drawn-stops: for (const auto& joint : world.joints()) joint->append(world.bodies,
 //         world.blocks); ==> for (std::size_t k = 0; k < world.joints().size() && k < 4; ++k)
 //         world.joints()[k]->append(world.bodies, world.blocks);
-// wrong fixed-step-length: (world.last_h + h) / 2 ==> (world.last_h + real(1) / 60) / 2
-// wrong kick-longer: (world.last_h + h) / 2 ==> std::max(world.last_h, h)
-// wrong kick-h-later: (world.last_h + h) / 2 ==> world.last_h == 0 ? h / 2 : h
-// wrong append-before-begin: world.blocks.clear(); ==> world.blocks.clear(); for (const auto& one :
+// mistake "1/60 s in the place of h: each step has a length of its own": (world.last_h + h) / 2 ==>
+//         (world.last_h + real(1) / 60) / 2
+// mistake "the longer of both steps: their mean": (world.last_h + h) / 2 ==> std::max(world.last_h,
+//         h)
+// mistake "half of h in the first step and h in the later ones: the mean of the last step and this
+//         one": (world.last_h + h) / 2 ==> world.last_h == 0 ? h / 2 : h
+// mistake "append() comes before begin_step(), which chooses the rows: first begin_step() of all
+//         joints": world.blocks.clear(); ==> world.blocks.clear(); for (const auto& one :
 //         world.joints()) one->append(world.bodies, world.blocks); ;; for (const auto& joint :
 //         world.joints()) joint->append(world.bodies, world.blocks); ==>
-// wrong kick-full-h: (world.last_h + h) / 2 ==> h
-// wrong kick-half-h: (world.last_h + h) / 2 ==> h / 2
-// wrong kick-last-step: (world.last_h + h) / 2 ==> world.last_h
-// wrong kick-sum: (world.last_h + h) / 2 ==> world.last_h + h
-// wrong brackets-forgotten: (world.last_h + h) / 2 ==> world.last_h + h / 2
-// wrong first-step-full-kick: gravity, ==> gravity, world.last_h == 0 ? h :
-// wrong no-kick: integrate_forces(world.bodies, world.gravity, (world.last_h + h) / 2); ==>
-// wrong last-h-not-kept: world.last_h = h; ==>
-// wrong last-h-gets-mean: world.last_h = h; ==> world.last_h = (world.last_h + h) / 2;
-// wrong blocks-not-cleared: world.blocks.clear(); ==>
-// wrong begin-step-joints-missing: for (const auto& joint : world.joints())
-//         joint->begin_step(world.bodies, h); ==>
-// wrong append-missing: for (const auto& joint : world.joints()) joint->append(world.bodies,
-//         world.blocks); ==>
-// wrong begin-append-half-h: begin_step(world.bodies, h) ==> begin_step(world.bodies, h / 2)
-// wrong prepare-mean: integrate_forces(world.bodies, world.gravity, (world.last_h + h) / 2)
+// mistake "forces act for the whole of h: for the mean of the last step and this one. Is
+//         world.last_h set before them?": (world.last_h + h) / 2 ==> h
+// mistake "forces act for half of h: for the mean of the last step and this one": (world.last_h +
+//         h) / 2 ==> h / 2
+// mistake "forces act for the last step: for the mean of it and this one": (world.last_h + h) / 2
+//         ==> world.last_h
+// mistake "forces act for the last step and this one: for their mean, the half of that":
+//         (world.last_h + h) / 2 ==> world.last_h + h
+// mistake "half of this step only: (last_h + h) / 2 needs its brackets": (world.last_h + h) / 2 ==>
+//         world.last_h + h / 2
+// mistake "in the first step forces act for all of h: nothing came before it, last_h is 0 then":
+//         gravity, ==> gravity, world.last_h == 0 ? h :
+// mistake "no forces act: integrate_forces()": integrate_forces(world.bodies, world.gravity,
+//         (world.last_h + h) / 2); ==>
+// mistake "h is not kept in world.last_h: the next step's mean needs it": world.last_h = h; ==>
+// mistake "the mean is kept in world.last_h: h, the length of this step": world.last_h = h; ==>
+//         world.last_h = (world.last_h + h) / 2;
+// mistake "the blocks of the last step are still there: world.blocks.clear()":
+//         world.blocks.clear(); ==>
+// mistake "begin_step() of the joints is missing: they choose their rows there": for (const auto&
+//         joint : world.joints()) joint->begin_step(world.bodies, h); ==>
+// mistake "no joint appends its blocks: the bodies move as if free": for (const auto& joint :
+//         world.joints()) joint->append(world.bodies, world.blocks); ==>
+// mistake "begin_step() of the joints has half of h: all of it": begin_step(world.bodies, h) ==>
+//         begin_step(world.bodies, h / 2)
+// mistake "prepare() has the mean of the last step and this one: only the forces act for the mean,
+//         prepare() needs h": integrate_forces(world.bodies, world.gravity, (world.last_h + h) / 2)
 //         ==> const real mean = (world.last_h + h) / 2; integrate_forces(world.bodies,
 //         world.gravity, mean) ;; 0, h ==> 0, mean
-// wrong begin-step-mean: integrate_forces(world.bodies, world.gravity, (world.last_h + h) /
-//         2) ==> const real mean = (world.last_h + h) / 2; integrate_forces(world.bodies,
-//         world.gravity, mean) ;; begin_step(world.bodies, h) ==> begin_step(world.bodies, mean)
-// wrong prepare-half-h: 0, h ==> 0, h / 2
+// mistake "begin_step() of the joints has the mean of the last step and this one: only the forces
+//         act for the mean, begin_step() needs h": integrate_forces(world.bodies, world.gravity,
+//         (world.last_h + h) / 2) ==> const real mean = (world.last_h + h) / 2;
+//         integrate_forces(world.bodies, world.gravity, mean) ;; begin_step(world.bodies, h) ==>
+//         begin_step(world.bodies, mean)
+// mistake "prepare() has half of h: all of it": 0, h ==> 0, h / 2
 // wrong "the solver did not get the blocks of this step: solver.prepare(": 0 ==>
 //         int(world.blocks.list.size())
 // wrong "the solver did not get the blocks of this step: solver.prepare(":
 //         solver.prepare(world.bodies, world.blocks, 0, h); ==>
-// wrong warm-start: warm_start(world.bodies, 0) ==> warm_start(world.bodies, 1)
-// wrong warm-start-missing: solver.warm_start(world.bodies, 0); ==>
-// wrong solve-missing: solver.solve(world.bodies); ==>
-// wrong solve-twice: integrate_poses ==> solver.solve(world.bodies); integrate_poses
-// wrong poses-before-solve: integrate_poses(world.bodies, h); ==> ;; solver.solve ==>
-//         integrate_poses(world.bodies, h); solver.solve
-// wrong poses-at-first: integrate_poses(world.bodies, h); ==> ;; integrate_forces ==>
+// mistake "a warm start: the ratio is 0, the impulses of the last step are not used":
+//         warm_start(world.bodies, 0) ==> warm_start(world.bodies, 1)
+// mistake "warm_start() is missing: the impulses of the last step must become 0":
+//         solver.warm_start(world.bodies, 0); ==>
+// mistake "solve() is missing: no joint holds": solver.solve(world.bodies); ==>
+// mistake "solve() twice: once": integrate_poses ==> solver.solve(world.bodies); integrate_poses
+// mistake "the bodies move before solve(): by the new velocities, behind it":
+//         integrate_poses(world.bodies, h); ==> ;; solver.solve ==> integrate_poses(world.bodies,
+//         h); solver.solve
+// mistake "the bodies move at first: by the new velocities, behind solve()":
+//         integrate_poses(world.bodies, h); ==> ;; integrate_forces ==>
 //         integrate_poses(world.bodies, h); integrate_forces
-// wrong poses-half-h: integrate_poses(world.bodies, h) ==> integrate_poses(world.bodies, h / 2)
-// wrong poses-missing: integrate_poses(world.bodies, h); ==>
-// wrong kick-behind-solve: integrate_forces(world.bodies, world.gravity, (world.last_h + h)
-//         / 2) ==> const real mean = (world.last_h + h) / 2 ;; integrate_poses ==>
-//         integrate_forces(world.bodies, world.gravity, mean); integrate_poses
-// wrong another-half-kick-end: integrate_poses(world.bodies, h); ==> integrate_poses(world.bodies,
-//         h); integrate_forces(world.bodies, world.gravity, h / 2);
-// wrong kick-full-h:
+// mistake "the bodies move for half of h: for all of it": integrate_poses(world.bodies, h) ==>
+//         integrate_poses(world.bodies, h / 2)
+// mistake "the bodies do not move: integrate_poses()": integrate_poses(world.bodies, h); ==>
+// mistake "the forces act after solve(): they must act before the impulses":
+//         integrate_forces(world.bodies, world.gravity, (world.last_h + h) / 2) ==> const real mean
+//         = (world.last_h + h) / 2 ;; integrate_poses ==> integrate_forces(world.bodies,
+//         world.gravity, mean); integrate_poses
+// mistake "forces act again at the end: only once, for the mean of the last step and this one":
+//         integrate_poses(world.bodies, h); ==> integrate_poses(world.bodies, h);
+//         integrate_forces(world.bodies, world.gravity, h / 2);
+// mistake "forces act for the whole of h: for the mean of the last step and this one. Is
+//         world.last_h set before them?":
   step(world, solver, h);
-// wrong gravity-alone: integrate_forces(world.bodies, world.gravity, (world.last_h + h) /
-//         2); ==> for (int k = 0; k < world.bodies.slots(); ++k) if
-//         (!world.bodies.at(k).is_static()) world.bodies.at(k).v += (world.last_h + h) / 2 *
-//         world.gravity;
+// mistake "force and torque of the bodies are forgotten: integrate_forces() has all of it":
+//         integrate_forces(world.bodies, world.gravity, (world.last_h + h) / 2); ==> for (int k =
+//         0; k < world.bodies.slots(); ++k) if (!world.bodies.at(k).is_static())
+//         world.bodies.at(k).v += (world.last_h + h) / 2 * world.gravity;
 // wrong "Case: two bodies and a motor": for (const auto& joint : world.joints()) joint->append ==>
 //         if (!world.joints().empty()) world.joints()[0]->append
-// wrong earth-s-gravity: world.gravity, ==> vec3(0, real(-9.81), 0),
+// mistake "gravity is another one: world.gravity": world.gravity, ==> vec3(0, real(-9.81), 0),
+// mistake "half of the last step only: (last_h + h) / 2 needs its brackets": (world.last_h + h) / 2
+//         ==> world.last_h / 2 + h
+// mistake "forces act twice for half of h: once, for the mean of the last step and this one":
+//         (world.last_h + h) / 2 ==> h / 2 ;; integrate_poses(world.bodies, h); ==>
+//         integrate_poses(world.bodies, h); integrate_forces(world.bodies, world.gravity, h / 2);
+// mistake "a warm start with half of the impulses: the ratio is 0": warm_start(world.bodies, 0) ==>
+//         warm_start(world.bodies, real(0.5))
+// mistake "the bodies move twice: integrate_poses() once": integrate_poses(world.bodies, h); ==>
+//         integrate_poses(world.bodies, h); integrate_poses(world.bodies, h);
+// mistake "the bodies move before solve(): by the new velocities, behind it":
+//         integrate_poses(world.bodies, h); ==> ;; world.blocks.clear(); ==>
+//         integrate_poses(world.bodies, h); world.blocks.clear();
 // wrong units "in the step, adding m to m/s: a time too many: is a division by h missing?":
 //         (world.last_h + h) / 2 ==> (world.last_h + h) * h
 // wrong units "in the step, adding s to a pure number: a time too many: is a division by h":

@@ -1,72 +1,103 @@
 // wrong drawn-threshold: const vec3 now ==> if (std::max({moments.x, moments.y, moments.z}) <
 //         real(1e-3)) { out.inverse_inertia_local = body.inverse_inertia_local; out.w = body.w;
 //         return out; } const vec3 now
-// wrong fixed-step-h: kappa * h * h ==> kappa / 3600
-// wrong middle-moment: out.inverse_inertia_local = ==> vec3 sorted = moments; if (sorted.x >
-//         sorted.y) std::swap(sorted.x, sorted.y); if (sorted.y > sorted.z) std::swap(sorted.y,
-//         sorted.z); if (sorted.x > sorted.y) std::swap(sorted.x, sorted.y);
-//         out.inverse_inertia_local = ;; real(1) / now ==> real(1) / max(vec3(sorted.y), now)
-// wrong root-kappa: kappa * h * h ==> std::sqrt(kappa) * h * h
-// wrong h-not-squared: kappa * h * h * force_lever ==> kappa * h * force_lever
-// wrong followed-h-missing: kappa * h * h * force_lever ==> kappa * force_lever
-// wrong h-cubed: kappa * h * h * force_lever ==> kappa * h * h * h * force_lever
-// wrong kappa-missing: kappa * h * h * force_lever ==> h * h * force_lever
-// wrong force-missing: kappa * h * h * force_lever ==> kappa * h * h
-// wrong fixed-kappa: kappa * h * h * force_lever ==> real(8) * h * h * force_lever
-// wrong followed-divided-h-squared: kappa * h * h * force_lever ==> kappa / (h * h) * force_lever
-// wrong force-squared: kappa * h * h * force_lever ==> kappa * h * h * force_lever * force_lever
-// wrong twice: kappa * h * h * force_lever ==> 2 * kappa * h * h * force_lever
-// wrong inertia-added: max(moments, vec3(kappa * h * h * force_lever)) ==> moments + vec3(kappa *
-//         h * h * force_lever)
-// wrong lesser: max ==> min
-// wrong own-moments-lost: now = max(moments, vec3(kappa * h * h * force_lever)) ==> now(kappa * h
-//         * h * force_lever)
-// wrong least-lacks: max(moments, vec3(kappa * h * h * force_lever)) ==> moments +
-//         vec3(std::max(real(0), kappa * h * h * force_lever - std::min({moments.x, moments.y,
-//         moments.z})))
-// wrong first-moment-alone: force_lever ==> force_lever, 0, 0
-// wrong bound-of-last-step: vec3(kappa * h * h * force_lever) ==> vec3(before)
-// wrong never-smaller: vec3(kappa * h * h * force_lever) ==> vec3(std::max(before, kappa * h * h *
-//         force_lever))
-// wrong inverse-moments: moments = real(1) / body ==> moments = body
-// wrong moments-returned: real(1) / now ==> now
-// wrong last-step-forgotten: max(moments, vec3(before)) / now ==> moments / now
-// wrong last-moments-lost: max(moments, vec3(before)) / now ==> vec3(before) / now
-// wrong ratio-unbounded: min(vec3(1), max(moments, vec3(before)) / now) ==> max(moments,
-//         vec3(before)) / now
-// wrong ratio-inverted: max(moments, vec3(before)) / now ==> now / max(moments, vec3(before))
-// wrong ratio-at-least-one: min ==> max
-// wrong momentum-kept: sqrt(ratio) ==> ratio
-// wrong ratio-squared: sqrt(ratio) ==> ratio * ratio
-// wrong scaled-in-world: to_world(body, sqrt(ratio) * to_local(body, body.w)) ==> sqrt(ratio) *
-//         body.w
-// wrong to-world-missing: to_world(body, sqrt(ratio) * to_local(body, body.w)) ==> sqrt(ratio) *
-//         to_local(body, body.w)
-// wrong to-local-missing: to_local(body, body.w) ==> body.w
-// wrong axes-exchanged: to_local ==> to_world ;; to_world ==> to_local
-// wrong ratio-upside-down: sqrt(ratio) * ==> real(1) / sqrt(ratio) *
-// wrong momentum-returned: sqrt(ratio) * ==> moments *
-// wrong one-ratio: to_world(body, sqrt(ratio) * to_local(body, body.w)) ==> std::sqrt(ratio.x) *
-//         body.w
-// wrong mean-ratio: to_world(body, sqrt(ratio) * to_local(body, body.w)) ==> (std::sqrt(ratio.x) +
-//         std::sqrt(ratio.y) + std::sqrt(ratio.z)) / 3 * body.w
-// wrong linear-velocity: body.w ==> body.v
-// wrong w-stays: to_world(body, sqrt(ratio) * to_local(body, body.w)) ==> body.w
-// wrong w-zero: out.w = ==> (void)
-// wrong kappa-squared: kappa * h * h ==> kappa * kappa * h * h
-// wrong quarter-of-h-squared: kappa * h * h ==> h * h / 4
-// wrong divided-by-kappa: kappa * h * h ==> h * h / kappa
-// wrong first-time-not-slowed: ratio = ==> ratio = before == 0 ? vec3(1) :
-// wrong one-ratio: to_world(body, sqrt(ratio) * to_local(body, body.w)) ==> std::sqrt(std::min({
-//         ratio.x, ratio.y, ratio.z})) * body.w
-// wrong one-ratio: out.w = ==> const vec3 own = to_local(body, body.w); const real after = dot(now
-//         * own, own), first = dot(max(moments, vec3(before)) * own, own); out.w = after == 0 ?
-//         body.w : std::sqrt(std::min(real(1), first / after)) * body.w; (void)
-// wrong followed-half: kappa * h * h ==> kappa * h * h / 2
-// wrong force-ignored: vec3(kappa * h * h * force_lever) ==> vec3(0 * kappa * h * h * force_lever)
-// wrong inverse-both: moments = real(1) / body ==> moments = body ;; real(1) / now ==> now
-// wrong last-step-replaced: max(moments, vec3(before)) ==> vec3(kappa * h * h * force_lever)
-// wrong to-local-twice: to_world ==> to_local
+// wrong drawn-cut: const vec3 now = ==> vec3 now = ;; const vec3 ratio ==>
+//         const real most = std::max({moments.x, moments.y, moments.z}); for (int k = 0; k < 3;
+//         ++k) if (moments[k] < real(0.01) * most) now[k] = moments[k]; const vec3 ratio
+// mistake "a fixed step of 1/60 s: take h": kappa * h * h ==> kappa / 3600
+// mistake "each moment becomes at least the middle one: at least kappa h^2 |F||r|":
+//         out.inverse_inertia_local = ==> vec3 sorted = moments; if (sorted.x > sorted.y)
+//         std::swap(sorted.x, sorted.y); if (sorted.y > sorted.z) std::swap(sorted.y, sorted.z); if
+//         (sorted.x > sorted.y) std::swap(sorted.x, sorted.y); out.inverse_inertia_local = ;;
+//         real(1) / now ==> real(1) / max(vec3(sorted.y), now)
+// mistake "the root of kappa: kappa h^2 |F||r|": kappa * h * h ==> std::sqrt(kappa) * h * h
+// mistake "h is squared: kappa h^2 |F||r|": kappa * h * h * force_lever ==> kappa * h * force_lever
+// mistake "h is missing: kappa h^2 |F||r|": kappa * h * h * force_lever ==> kappa * force_lever
+// mistake "h to the third power: kappa h^2 |F||r|": kappa * h * h * force_lever ==> kappa * h * h *
+//         h * force_lever
+// mistake "kappa is missing: kappa h^2 |F||r|": kappa * h * h * force_lever ==> h * h * force_lever
+// mistake "the force is missing: kappa h^2 |F||r|": kappa * h * h * force_lever ==> kappa * h * h
+// mistake "a fixed number: `kappa` is an argument": kappa * h * h * force_lever ==> real(8) * h * h
+//         * force_lever
+// mistake "divided by h^2: times h^2": kappa * h * h * force_lever ==> kappa / (h * h) *
+//         force_lever
+// mistake "the force is squared: it is |F||r| itself": kappa * h * h * force_lever ==> kappa * h *
+//         h * force_lever * force_lever
+// mistake "twice: kappa h^2 |F||r|": kappa * h * h * force_lever ==> 2 * kappa * h * h *
+//         force_lever
+// mistake "kappa h^2 |F||r| is added to the moments: each becomes at least that": max(moments,
+//         vec3(kappa * h * h * force_lever)) ==> moments + vec3(kappa * h * h * force_lever)
+// mistake "the lesser of the moment and kappa h^2 |F||r|: the greater": max ==> min
+// mistake "the body's own moments are lost: the greater of the two": now = max(moments, vec3(kappa
+//         * h * h * force_lever)) ==> now(kappa * h * h * force_lever)
+// mistake "the difference of the least moment is added to all: each is raised separately":
+//         max(moments, vec3(kappa * h * h * force_lever)) ==> moments + vec3(std::max(real(0),
+//         kappa * h * h * force_lever - std::min({moments.x, moments.y, moments.z})))
+// mistake "only the first moment grows: all three": force_lever ==> force_lever, 0, 0
+// mistake "`before` is of the last step: this one has kappa h^2 |F||r|": vec3(kappa * h * h *
+//         force_lever) ==> vec3(before)
+// mistake "a moment stays as large as in the last step: it may become smaller again": vec3(kappa *
+//         h * h * force_lever) ==> vec3(std::max(before, kappa * h * h * force_lever))
+// mistake "the inverse moments are taken for moments: 1 over each of them first": moments = real(1)
+//         / body ==> moments = body
+// mistake "the moments are returned: 1 over each of them": real(1) / now ==> now
+// mistake "the last step is forgotten: then each moment was at least `before`": max(moments,
+//         vec3(before)) / now ==> moments / now
+// mistake "the body's own moments of the last step are lost: the greater of them and `before`":
+//         max(moments, vec3(before)) / now ==> vec3(before) / now
+// mistake "where a moment becomes smaller the angular velocity becomes larger: it stays, at most
+//         1": min(vec3(1), max(moments, vec3(before)) / now) ==> max(moments, vec3(before)) / now
+// mistake "the new moment over the old one: the old one over the new one": max(moments,
+//         vec3(before)) / now ==> now / max(moments, vec3(before))
+// mistake "the greater of 1 and the ratio: the lesser": min ==> max
+// mistake "the angular momentum is kept: it is the energy that stays, with a square root":
+//         sqrt(ratio) ==> ratio
+// mistake "the ratio is squared: its root": sqrt(ratio) ==> ratio * ratio
+// mistake "the angular velocity is scaled in the world's axes: to_local() first, to_world() at
+//         last": to_world(body, sqrt(ratio) * to_local(body, body.w)) ==> sqrt(ratio) * body.w
+// mistake "to_world() is missing: w is in the world": to_world(body, sqrt(ratio) * to_local(body,
+//         body.w)) ==> sqrt(ratio) * to_local(body, body.w)
+// mistake "to_local() is missing: the moments are those of the body's own axes": to_local(body,
+//         body.w) ==> body.w
+// mistake "to_local() and to_world() are exchanged": to_local ==> to_world ;; to_world ==> to_local
+// mistake "the angular velocity becomes larger: the old moment over the new one": sqrt(ratio) * ==>
+//         real(1) / sqrt(ratio) *
+// mistake "the angular momentum is returned: the ratio times w": sqrt(ratio) * ==> moments *
+// mistake "one ratio for all three: each axis has its own": to_world(body, sqrt(ratio) *
+//         to_local(body, body.w)) ==> std::sqrt(ratio.x) * body.w
+// mistake "the mean ratio for all three: each axis has its own": to_world(body, sqrt(ratio) *
+//         to_local(body, body.w)) ==> (std::sqrt(ratio.x) + std::sqrt(ratio.y) +
+//         std::sqrt(ratio.z)) / 3 * body.w
+// mistake "the linear velocity: w is the angular one": body.w ==> body.v
+// mistake "the angular velocity stays: it becomes smaller where a moment grows": to_world(body,
+//         sqrt(ratio) * to_local(body, body.w)) ==> body.w
+// mistake "the angular velocity becomes zero: the energy stays": out.w = ==> (void)
+// mistake "kappa is squared: kappa h^2 |F||r|": kappa * h * h ==> kappa * kappa * h * h
+// mistake "a quarter of h^2, without kappa: that is the inertia with which h nu is 2. With kappa
+//         h^2 |F||r| it is 1 / sqrt(kappa)": kappa * h * h ==> h * h / 4
+// mistake "divided by kappa: h nu is 1 / sqrt(kappa) with kappa h^2 |F||r|": kappa * h * h ==> h *
+//         h / kappa
+// mistake "nothing is slowed where `before` is 0: then each moment was the body's own, and the
+//         ratio is that over the new one": ratio = ==> ratio = before == 0 ? vec3(1) :
+// mistake "one ratio for all three: each axis has its own": to_world(body, sqrt(ratio) *
+//         to_local(body, body.w)) ==> std::sqrt(std::min({ ratio.x, ratio.y, ratio.z})) * body.w
+// mistake "one ratio for all three: each axis has its own": out.w = ==> const vec3 own =
+//         to_local(body, body.w); const real after = dot(now * own, own), first = dot(max(moments,
+//         vec3(before)) * own, own); out.w = after == 0 ? body.w : std::sqrt(std::min(real(1),
+//         first / after)) * body.w; (void)
+// mistake "half of it: kappa h^2 |F||r|": kappa * h * h ==> kappa * h * h / 2
+// mistake "the force is ignored, and nothing changes": vec3(kappa * h * h * force_lever) ==> vec3(0
+//         * kappa * h * h * force_lever)
+// mistake "the inverse moments are taken for moments, and the greater is returned: 1 over each of
+//         both": moments = real(1) / body ==> moments = body ;; real(1) / now ==> now
+// mistake "the last step is forgotten, and its moments, too: each was at least `before`":
+//         max(moments, vec3(before)) ==> vec3(kappa * h * h * force_lever)
+// mistake "to_local() twice: to_world() at last": to_world ==> to_local
+// mistake "one ratio for all three: each axis has its own": to_world(body, sqrt(ratio) *
+//         to_local(body, body.w)) ==> std::sqrt(ratio.{x|y|z}) * body.w
+// mistake "the linear velocity: w is the angular one": to_world(body, sqrt(ratio) *
+//         to_local(body, body.w)) ==> body.v
+// mistake "a fixed number: `kappa` is an argument": kappa * h * h ==> {8|16} * h * h
 // wrong units "in slowed": kappa * h * h * force_lever ==> kappa * h * force_lever
 // wrong units "in slowed": kappa * h * h * force_lever ==> kappa * h * h
 // wrong units "in slowed": moments = real(1) / body ==> moments = body

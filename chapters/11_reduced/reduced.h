@@ -1,11 +1,11 @@
-// One link of a tree in reduced coordinates, and the articulated-body recursion as functions of one
-// link and its parent. Given, there is nothing to edit here.
+// Chapter 11: reduced coordinates. A link of a tree, and the functions that reduced.cpp has to
+// define. Read README.md in this folder first. Given: there is nothing to edit here.
 #pragma once
 
 #include "engine/body.h"
 
-/// \defgroup reduced Reduced coordinates
-/// \brief Trees of joints with one number per degree of freedom, by the articulated-body algorithm.
+/// \defgroup chapter11 Chapter 11: reduced coordinates
+/// \brief The articulated-body algorithm as functions of one link and its parent.
 /// @{
 namespace joints {
 
@@ -76,42 +76,51 @@ struct TreeLink {
 
 // ---- outward: poses and velocities --------------------------------------------------------------
 
-/// The pose of a child from its coordinate: q, R, a, d, c, and the inertia about its centre. A
-/// hinge rotates by x about a, a slider displaces A by x a, and a ball joint has its own q.
+/// Exercise 11.1: the pose of a child from its coordinate, Eq. 11-1 and 11-2: q, R, a, d, c, and
+/// the inertia about its centre. A hinge rotates by x about a, a slider displaces A by x a, and a
+/// ball joint has its own q. Of the parent it reads q and R.
 void place(TreeLink& link, const TreeLink& parent);
-/// The angular velocity of a child, and the accelerations that velocities alone cause.
-/// Differentiate w = w_p + a rate and v_A = v_p + w_p x d (+ a rate for a slider) with da/dt =
-/// w_p x a and dd/dt = w_p x d (+ a rate): the terms without accelerations are zeta and gamma.
+/// Exercise 11.1: the angular velocity of a child, Eq. 11-3, and the accelerations that velocities
+/// alone cause, Eq. 11-4 and 11-5. Of the parent it reads w.
 void move(TreeLink& link, const TreeLink& parent);
 /// The linear state of a child: centre [m] and v [m/s], of those of its parent.
 void locate(TreeLink& link, const TreeLink& parent);
 
 // ---- inward: inertia and bias -------------------------------------------------------------------
 
-/// The inertia of the body alone at A: Newton and Euler about the centre, with the acceleration of
-/// the centre a_A + alpha x c + .. and the torque about A, which adds c x force.
+/// Exercise 11.2: the inertia of the body alone at A, Eq. 11-6: Newton and Euler about the centre,
+/// with the acceleration of the centre a_A + alpha x c + .. and the torque about A, which adds
+/// c x force.
 void begin_inertia(TreeLink& link);
-/// The bias of the body alone at A: the force and the torque at A that keep alpha = a_A = 0,
-/// less external ones.
+/// Exercise 11.2: the bias of the body alone at A, Eq. 11-7: the force and the torque at A that
+/// keep alpha = a_A = 0, less external ones.
 void begin_bias(TreeLink& link);
-/// U, D, and the inertia that the parent feels: S^T (I (A + S qdd) + (n, f)) = tau - added qdd
-/// determines qdd, and substituting it leaves I - U U^T / (D + added). A held joint, and a weld,
-/// pass on all.
+/// Exercise 11.3: U, D, and the inertia that the parent feels, Eq. 11-8 and 11-9:
+/// S^T (I (A + S qdd) + (n, f)) = tau - added qdd determines qdd, and substituting it leaves
+/// I - U U^T / (D + added). A held joint, and a weld, pass on all.
 void eliminate(TreeLink& link);
-/// Adds the inertia of a child, after eliminate(), at the parent's anchor: an acceleration
-/// (alpha, a + alpha x d) of the child's point, and a force that has the lever d.
+/// The same for a ball joint, which passes on no torque: M by Eq. 11-10, and from here on J and H
+/// hold J^-1 and J^-1 H.
+void eliminate_ball(TreeLink& link);
+/// Exercise 11.3: adds the inertia of a child, after eliminate(), at the parent's anchor,
+/// Eq. 11-11: an acceleration a + alpha x d of the child's point, and a force that has the lever d.
 void add_inertia(const TreeLink& link, TreeLink& parent);
-/// Adds its bias there. Computes k; for a held joint `acceleration` has to be set.
+/// Exercise 11.3: adds its bias there, Eq. 11-12. Computes k; for a held joint `acceleration` has
+/// to be set.
 void add_bias(TreeLink& link, TreeLink& parent);
 
 // ---- outward: accelerations ---------------------------------------------------------------------
 
-/// alpha and a_A of a child, and its `acceleration`; or for a held joint the force `tau` that the
-/// known acceleration needs.
+/// Exercise 11.4: alpha and a_A of a child and its `acceleration`, Eq. 11-13 and 11-14; or for a
+/// held joint the force `tau` that the known acceleration needs, Eq. 11-16.
 void accelerate(TreeLink& link, const TreeLink& parent);
-/// alpha and a_A of a free root, from the 6 x 6 inertia of the whole tree.
+/// alpha and a_A of a free root, from the 6 x 6 inertia of the whole tree, Eq. 11-15.
 void accelerate_root(TreeLink& root);
 
+/// skew(d) A, column by column: what a lever makes of a matrix.
+inline mat3 crossed(const vec3& d, const mat3& A) {
+  return mat3(cross(d, A[0]), cross(d, A[1]), cross(d, A[2]));
+}
 /// The inverse of a symmetric positive matrix of any size of numbers; 0 for the zero matrix.
 mat3 inverse_of(const mat3& A);
 

@@ -1,0 +1,143 @@
+// Chapter 11: reduced coordinates. Replace each todo(...) by your own code; the text is in
+// README.md. Vectors are in world axes unless their names end in _local.
+#include "chapters/11_reduced/reduced.h"
+
+#include "engine/todo.h"
+
+namespace joints {
+
+// ---- outward: poses and velocities --------------------------------------------------------------
+
+void place(TreeLink& link, const TreeLink& parent) {
+  link.d = parent.R * link.from_parent_local;
+  link.a = parent.R * link.axis_local;
+  // begin [exercise 11.1]
+  // Set link.q of a hinge, a slider and a weld, and add to link.d what a slider moves by. Other
+  // links (ball, free, fixed) have a q of their own, which stays.
+  todo("11.1");
+  // end [exercise 11.1]
+  link.R = mat3_cast(link.q);
+  link.c = link.R * link.centre_local;
+  if (link.rotates_inertia) {
+    const vec3& I = link.inertia_local;
+    link.inertia = mat3(I.x * link.R[0], I.y * link.R[1], I.z * link.R[2]) * transpose(link.R);
+  }
+}
+
+void move(TreeLink& link, const TreeLink& parent) {
+  const vec3& w = parent.w;
+  // begin [exercise 11.1]
+  // Set link.w (but not that of a ball), link.zeta of a hinge, and link.gamma, of every kind.
+  todo("11.1");
+  // end [exercise 11.1]
+}
+
+void locate(TreeLink& link, const TreeLink& parent) {
+  link.centre = parent.centre - parent.c + link.d + link.c;
+  link.v = parent.v + cross(parent.w, link.d - parent.c) + cross(link.w, link.c);
+  if (link.freedom == Freedom::slider) link.v += link.rate * link.a;
+}
+
+// ---- inward: inertia and bias -------------------------------------------------------------------
+
+void begin_inertia(TreeLink& link) {
+  const vec3& c = link.c;
+  const real m = link.mass;
+  // begin [exercise 11.2]
+  // Set link.M, link.H and link.J of the body alone, about A.
+  todo("11.2");
+  // end [exercise 11.2]
+}
+
+void begin_bias(TreeLink& link) {
+  const vec3 &w = link.w, &c = link.c;
+  // begin [exercise 11.2]
+  // Set link.f and link.n: what holds the body if A does not accelerate and it rotates evenly.
+  todo("11.2");
+  // end [exercise 11.2]
+}
+
+void eliminate_ball(TreeLink& link) {
+  const mat3 over_J = inverse_of(link.J), B = over_J * link.H;
+  link.M -= transpose(link.H) * B;  // Eq. 11-10
+  link.J = over_J;
+  link.H = B;
+}
+
+void eliminate(TreeLink& link) {
+  const bool hinge = link.freedom == Freedom::hinge, slider = link.freedom == Freedom::slider;
+  if (link.freedom == Freedom::ball) eliminate_ball(link);
+  if (!hinge && !slider) return;  // a weld passes on all
+  // begin [exercise 11.3]
+  // Set link.Uw, link.Uv and link.D, then link.over_D = 1 / (D + added), or 0 if that is 0. If the
+  // link is not held, leave of J, H and M what the parent feels.
+  todo("11.3");
+  // end [exercise 11.3]
+}
+
+void add_inertia(const TreeLink& link, TreeLink& parent) {
+  const vec3& d = link.d;
+  const mat3 XM = crossed(d, link.M);
+  if (link.freedom == Freedom::ball) {  // it passes on M alone
+    parent.M += link.M;
+    parent.H += XM;
+    parent.J += crossed(d, transpose(XM));
+    return;
+  }
+  // begin [exercise 11.3]
+  // Add J, H and M of the link to those of the parent, with the lever d. XM is skew(d) M.
+  todo("11.3");
+  // end [exercise 11.3]
+}
+
+void add_bias(TreeLink& link, TreeLink& parent) {
+  vec3 n = link.n, f = link.f;
+  if (link.freedom == Freedom::ball) {
+    f += link.M * link.gamma - n * link.H;  // Eq. 11-12 with n^T J^-1 H
+    n = vec3(0);
+  } else {
+    const bool hinge = link.freedom == Freedom::hinge, slider = link.freedom == Freedom::slider;
+    // begin [exercise 11.3]
+    // Set link.k of a hinge or slider, and make of n and f what the parent feels. The acceleration
+    // along the free motion is link.acceleration if the link is held; if not, this much of it
+    // belongs to the bias: over_D k.
+    todo("11.3");
+    // end [exercise 11.3]
+  }
+  parent.f += f;
+  parent.n += n + cross(link.d, f);
+}
+
+// ---- outward: accelerations ---------------------------------------------------------------------
+
+void accelerate(TreeLink& link, const TreeLink& parent) {
+  link.a_A = parent.a_A + cross(parent.alpha, link.d) + link.gamma;  // Eq. 11-13
+  if (link.freedom == Freedom::ball) {
+    link.alpha = -(link.J * link.n + link.H * link.a_A);  // Eq. 11-14 for three numbers
+    return;
+  }
+  link.alpha = parent.alpha;
+  if (link.freedom == Freedom::hinge) link.alpha += link.zeta;
+  if (link.freedom != Freedom::hinge && link.freedom != Freedom::slider) return;
+  // begin [exercise 11.4]
+  // Here alpha and a_A are those of the child before its own acceleration along S. If the link is
+  // held, add to link.tau what is missing for link.acceleration; if not, set link.acceleration.
+  // Then add the acceleration along S to alpha or a_A.
+  todo("11.4");
+  // end [exercise 11.4]
+}
+
+void accelerate_root(TreeLink& root) {
+  const mat3 B = root.H * inverse_of(root.M);
+  const mat3 J = root.J - B * transpose(root.H);
+  root.alpha = -(inverse_of(J) * (root.n - B * root.f));              // Eq. 11-15
+  root.a_A = -(inverse_of(root.M) * (root.f + root.alpha * root.H));  // Eq. 11-15
+}
+
+mat3 inverse_of(const mat3& A) {
+  const real size = A[0][0] + A[1][1] + A[2][2];
+  if (!(size > 0)) return mat3(0);
+  return inverse(A / size) / size;  // the determinant neither overflows nor vanishes
+}
+
+}  // namespace joints

@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+"""Draws the figures of chapter 11: the weight of a chain at its end, the error by the step.
+
+chapter_11.py --solution DIR [--mine DIR] --out DIR
+"""
+import numpy as np
+
+import style
+from style import COLOURS, INK, PALE, label_ends, rows
+
+METHODS = (("Runge-Kutta", COLOURS[0], "angles, Runge-Kutta"),
+           ("Euler", COLOURS[2], "angles, Euler"), ("rows", COLOURS[1], "rows, iterated"))
+
+
+def draw_weight(solution, mine, out):
+    table = mine or solution
+    last = len(table["bars"]) - 1
+    figure, ax = style.figure(
+        f"A chain of {table['bars'][last]:.0f} bars of 1 kg feels like "
+        f"{table['along_kg'][last]:.3g} kg along, {table['across_kg'][last]:.2g} kg across")
+    for column, colour, label in (("along_kg", COLOURS[0], "along the chain"),
+                                  ("across_kg", COLOURS[1], "across it")):
+        ax.plot(table["bars"], table[column], color=colour, marker="o", markersize=3, label=label)
+    ax.axhline(1 / np.sqrt(12), color=PALE, linewidth=0.8, dashes=(4, 2))
+    ax.text(9, 1 / np.sqrt(12) * 0.92, "dashed: thin bars, 1/√12 of a bar", color=PALE,
+            fontsize=8.5, va="top")
+    ax.set(xlabel="bars of the chain", ylabel="mass that the hand at its end feels  [kg]",
+           xscale="log", yscale="log", xlim=(0.9, 33), ylim=(0.2, 45),
+           xticks=(1, 2, 3, 5, 10, 30), yticks=(0.3, 1, 3, 10, 30))
+    ax.set_xticklabels((1, 2, 3, 5, 10, 30))
+    ax.set_yticklabels((0.3, 1, 3, 10, 30))
+    ax.minorticks_off()
+    label_ends(ax)
+    style.save(figure, out / "11_weight")
+
+
+def draw_order(solution, mine, out):
+    table = mine or solution
+    at60 = [rows(table, method=method, steps=60)["error_m"][0] for method, _, _ in METHODS]
+    figure, ax = style.figure("A second in 60 steps, {}the free end is {:.2g} m off by angles and "
+                              "Runge-Kutta, {:.2g} by Euler, {:.2g} on rows".format(
+                                  "yours: " if mine else "", *at60))
+    for method, colour, label in METHODS:
+        part = rows(table, method=method)
+        ax.plot(part["steps"], part["error_m"], color=colour, marker="o", markersize=3.5,
+                label=label)
+    ax.set(xlabel="steps a second", ylabel="distance from where it should be  [m]", xscale="log",
+           yscale="log", xlim=(25, 2300), xticks=(30, 120, 480, 1920))
+    ax.set_xticklabels((30, 120, 480, 1920))
+    ax.minorticks_off()
+    for order, at in ((1, 0.02), (4, 2e-8)):
+        ax.plot((480, 1920), (at, at / 4 ** order), color=INK, linewidth=0.8, dashes=(3, 2),
+                label="_")
+        ax.text(960, at / 2 ** order * 1.6, f"slope {order}", fontsize=8.5, color=INK)
+    label_ends(ax)
+    style.save(figure, out / "11_order")
+
+
+def tables(folder, command):
+    weight = style.read_csv(folder / "weight.csv", ["bars", "along_kg", "across_kg"], (), command)
+    order = style.read_csv(folder / "order.csv", ["steps", "error_m"], ["method"], command)
+    return weight, order
+
+
+if __name__ == "__main__":
+    style.run(lambda: style.chapter(11, tables, (draw_weight, draw_order), result=draw_weight))

@@ -164,6 +164,9 @@ def a_mark_is_of_the_checked_text(root, build):
     state("the code that was checked", True, False)
     exercise.check()
     state("a check", True, True)
+    if exercise.take_in(json.dumps(file_with(RIGHT))):
+        states.append("a file with the same code asks something")
+    state("a file with the same code", True, True)
     if len(exercise.take_in(stub, allowed=False)) != 1:
         states.append("a file over work asks nothing")
     state("a file that was refused", True, True)

@@ -115,7 +115,8 @@ inline void eliminate(TreeLink& link) {
   SixBySix I = inertia_of(link);
   const Six S = free_motion(link), U = times(I, S);
   link.Uw = angular_of(U), link.Uv = linear_of(U), link.D = dot6(S, U);
-  link.over_D = link.D + link.added > 0 ? 1 / (link.D + link.added) : real(0);
+  const real whole = dot6(S, U) + link.added;
+  link.over_D = whole > 0 ? 1 / whole : real(0);
   if (link.held) return;
   for (std::size_t i = 0; i < 6; ++i) I[i] = added(I[i], U, -link.over_D * U[i]);
   link.J = block_of(I, 0, 0), link.H = block_of(I, 0, 3), link.M = block_of(I, 3, 3);

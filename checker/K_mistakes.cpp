@@ -148,19 +148,15 @@ Wrong wrong_Ks(const Seen& part, const Numbers& J, const Pair& pair) {
   out.push_back({"#inverse-of-k the inverse of K: that is the effective mass, the solver inverts "
                  "K itself",
                  {inverse.begin(), inverse.end()}});
-  Numbers with_unit = everywhere, whole = everywhere;
+  Numbers whole = everywhere;
   for (double& number : whole) number = std::trunc(number);
   out.push_back({"#cut-int the fraction is cut off: an int holds whole numbers only", whole});
   for (int i = 0; i < n * n; ++i)
-    (i % (n + 1) == 0 ? with_unit : everywhere)[std::size_t(i)] +=
-        i % (n + 1) == 0 ? 1 : double(masses);
+    if (i % (n + 1) != 0) everywhere[std::size_t(i)] += double(masses);
   if (n > 1)
     out.push_back({"#number-plus-matrix a matrix plus a number adds it to all nine entries: write "
                    "mat3(a)",
                    everywhere});
-  if (n == 3)
-    out.push_back({"#mat3-taken-zero the unit matrix too much: mat3 K; is not zero, write mat3 "
-                   "K(0)", with_unit});
   for (const auto& wrong : {own_Js(part, pair), wrong_levers(rows, pair)})
     for (const auto& [words, numbers] : wrong) out.push_back({words, whole_K(numbers, pair)});
   return out;

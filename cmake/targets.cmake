@@ -1,12 +1,17 @@
 # How targets are made: everything twice (double, float), a chapter's files in their versions.
 
+# In another project's build the targets have names of their own, and what it sets stays as it is.
+set(WORKBOOK_PREFIX "")
+if(NOT PROJECT_IS_TOP_LEVEL)
+  set(WORKBOOK_PREFIX joints_)
+endif()
+
 # What every source is compiled with. No contraction to fused multiply-add and no -march=native:
 # the same digits on every machine. Sections and their collection: a program carries what it uses.
-set(WORKBOOK_DEFINITIONS GLM_FORCE_CTOR_INIT GLM_FORCE_EXPLICIT_CTOR)
 add_library(workbook_options INTERFACE)
 target_compile_features(workbook_options INTERFACE cxx_std_20)
 target_include_directories(workbook_options INTERFACE ${PROJECT_SOURCE_DIR})
-target_compile_definitions(workbook_options INTERFACE ${WORKBOOK_DEFINITIONS})
+target_compile_definitions(workbook_options INTERFACE GLM_FORCE_EXPLICIT_CTOR)
 target_compile_options(workbook_options INTERFACE
   -ffp-contract=off -ffunction-sections -fdata-sections)
 if(APPLE)  # its linker calls it so
@@ -65,10 +70,17 @@ function(at_once)
   endforeach()
 endfunction()
 
-# add_twice(NAME KIND sources...): NAME in double and NAME_float.
-function(add_twice name kind)
+# add_twice(NAME KIND sources...): NAME in double and NAME_float. They may become part of a shared
+# library or a plug-in; whether their functions call each other through a table is no use to anyone.
+check_cxx_compiler_flag(-fno-semantic-interposition WORKBOOK_HAS_INTERPOSITION)
+function(add_twice bare kind)
   foreach(suffix "" "_float")
+    set(name ${WORKBOOK_PREFIX}${bare})
     add_library(${name}${suffix} ${kind} ${ARGN})
+    set_target_properties(${name}${suffix} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    if(WORKBOOK_HAS_INTERPOSITION)
+      target_compile_options(${name}${suffix} PRIVATE -fno-semantic-interposition)
+    endif()
     target_link_libraries(${name}${suffix} PUBLIC workbook_options PRIVATE workbook_strict)
     if(suffix STREQUAL "_float")
       target_compile_definitions(${name}${suffix} PUBLIC JOINTS_REAL=float)
@@ -81,7 +93,8 @@ endfunction()
 function(link_twice name scope)
   foreach(suffix "" "_float")
     foreach(target ${ARGN})
-      target_link_libraries(${name}${suffix} ${scope} ${target}${suffix})
+      target_link_libraries(${WORKBOOK_PREFIX}${name}${suffix} ${scope}
+        ${WORKBOOK_PREFIX}${target}${suffix})
     endforeach()
   endforeach()
 endfunction()

@@ -119,7 +119,7 @@ static void rotate_about(int i, real phi, quat& q, vec3& L) {
   const int j = (i + 1) % 3, k = (i + 2) % 3;
   const real c = std::cos(phi / 2), s = std::sin(phi / 2);
   const vec3 v(q.x, q.y, q.z);
-  vec3 turned;
+  vec3 turned(0);
   turned[i] = c * v[i] + s * q.w;
   turned[j] = c * v[j] + s * v[k];
   turned[k] = c * v[k] - s * v[j];

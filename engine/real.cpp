@@ -7,7 +7,7 @@
 
 namespace joints {
 
-void number_of_the_library(real) {}
+void number_of_the_library(real, GlmKind*) {}
 
 template <class Number>
 static std::string text(Number a) {

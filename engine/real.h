@@ -5,6 +5,7 @@
 #include <concepts>
 #include <limits>
 #include <string>
+#include <type_traits>
 
 #ifndef JOINTS_REAL
 #define JOINTS_REAL double
@@ -14,8 +15,6 @@
 #endif
 #if __cplusplus < 202002L
 #error "the joints need C++20: compile with -std=c++20 or later"
-#elif !defined GLM_FORCE_CTOR_INIT || !defined GLM_FORCE_EXPLICIT_CTOR
-#error "definitions are missing: link joints::joints (CMake), or add `pkg-config --cflags joints`"
 #elif defined GLM_FORCE_QUAT_DATA_WXYZ
 #error "GLM_FORCE_QUAT_DATA_WXYZ: the library keeps a quaternion as x, y, z, w"
 #endif
@@ -37,9 +36,19 @@ using vec3 = glm::vec<3, real, glm::defaultp>;     ///< a column of three number
 using mat3 = glm::mat<3, 3, real, glm::defaultp>;  ///< 3x3, stored by columns: M[column][row]
 using quat = glm::qua<real, glm::defaultp>;        ///< (w, x, y, z), rotates body space into world
 
+/// Of a number that is not real, as in `2 * v`, GLM has no product with a vector.
+template <class Number>
+concept OtherNumber = std::is_arithmetic_v<Number> && !std::same_as<Number, real>;
+template <OtherNumber N> vec3 operator*(N, const vec3&) = delete;  ///< write real(2) * v
+template <OtherNumber N> vec3 operator*(const vec3&, N) = delete;  ///< write v * real(2)
+template <OtherNumber N> vec3 operator/(const vec3&, N) = delete;  ///< write v / real(2)
+
+/// GLM_FORCE_CTOR_INIT changes how GLM's vectors are copied and passed.
+using GlmKind = std::conditional_t<std::is_trivially_copyable_v<vec3>, struct DefaultGlm,
+                                   struct GlmWithCtorInit>;
 /// A guard: a file in double does not link with the library in float, which lacks this function.
-void number_of_the_library(real);
-[[gnu::used]] static void (*const this_library)(real) = number_of_the_library;  ///< that reference
+void number_of_the_library(real, GlmKind*);
+[[gnu::used]] static void (*const this_library)(real, GlmKind*) = number_of_the_library;  ///< used
 
 /// The distance from 1 to the next larger `real`.
 inline constexpr real epsilon = std::numeric_limits<real>::epsilon();

@@ -143,8 +143,8 @@ Side next_side(Side now, double impulse, double lower, double upper, double rate
 
 /// The inertia and angular velocity of a body with added inertia for one step, Eq. 9-14.
 struct Slowed {
-  vec3 inverse_inertia_local;  ///< inverse principal moments [1/(kg m^2)], body space
-  vec3 w;                      ///< angular velocity [rad/s], world
+  vec3 inverse_inertia_local{0};  ///< inverse principal moments [1/(kg m^2)], body space
+  vec3 w{0};                      ///< angular velocity [rad/s], world
 };
 
 #ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see

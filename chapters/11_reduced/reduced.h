@@ -74,6 +74,7 @@ struct TreeLink {
   vec3 a_A{0};         ///< acceleration of its point at A [m/s^2]
 };
 
+#ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 // ---- outward: poses and velocities --------------------------------------------------------------
 
 /// Exercise 11.1: the pose of a child from its coordinate, Eq. 11-1 and 11-2: q, R, a, d, c, and
@@ -117,6 +118,7 @@ void add_bias(TreeLink& link, TreeLink& parent);
 void accelerate(TreeLink& link, const TreeLink& parent);
 /// alpha and a_A of a free root, from the 6 x 6 inertia of the whole tree, Eq. 11-15.
 void accelerate_root(TreeLink& root);
+#endif
 
 /// skew(d) A, column by column: what a lever makes of a matrix.
 inline mat3 crossed(const vec3& d, const mat3& A) {

@@ -9,8 +9,8 @@ const FLAGS = ["clang++", "-cc1", "-triple", "wasm32-unknown-wasi", "-mrelocatio
   "-nostdsysteminc", "-nobuiltininc", "-internal-isystem", "/wasi/c++/v1", "-internal-isystem",
   "/clang", "-internal-isystem", "/wasi", "-internal-isystem", "/glm", "-I", "/", "-std=c++20",
   "-fcxx-exceptions", "-fexceptions", "-ftrivial-auto-var-init=pattern", "-fno-finite-loops",
-  "-D_LIBCPP_DEBUG=0", "-DGLM_FORCE_CTOR_INIT", "-DGLM_FORCE_EXPLICIT_CTOR", "-Wall", "-Wextra",
-  "-Werror=return-type", "-Werror=uninitialized", "-Wno-unused-parameter", "-Wno-unused-variable",
+  "-D_LIBCPP_DEBUG=0", "-DGLM_FORCE_EXPLICIT_CTOR", "-Wall", "-Wextra", "-Werror=return-type",
+  "-Werror=uninitialized", "-Wno-unused-parameter", "-Wno-unused-variable",
   "-Wno-unused-but-set-variable", "-ferror-limit", "3"];
 const UNITS = ["-DJOINTS_REAL=joints::Quantity", '-DJOINTS_REAL_HEADER="tests/checker/quantity.h"'];
 const LIBRARIES = ["/lib/libc++.a", "/lib/libc++abi.a", "/lib/libc.a", "/lib/builtins.a"];

@@ -14,8 +14,7 @@ from pictures import pages
 TEMPLATE = house.ROOT / "docs" / "live" / "live.html"
 SHIPPED = house.ROOT / "solutions" / "wasm"  # the objects, in a student's edition
 FLAGS = ["--target=wasm32-wasi", "-std=c++20", "-fexceptions", "-ffp-contract=off",
-         "-ffunction-sections", "-fdata-sections", "-DGLM_FORCE_CTOR_INIT",
-         "-DGLM_FORCE_EXPLICIT_CTOR", "-w"]
+         "-ffunction-sections", "-fdata-sections", "-DGLM_FORCE_EXPLICIT_CTOR", "-w"]
 LINK = ["--target=wasm32-wasi", "-mexec-model=reactor", "-Wl,--gc-sections", "-Wl,--strip-all"]
 SCENES = ("live", "bench")  # folders of code that no iteration calls: for size alone
 # A reader's file is looked at more closely: an index outside a vector stops the module, and a loop

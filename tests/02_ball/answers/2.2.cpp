@@ -53,7 +53,6 @@
 //         inverse_inertia(body2) ==> body2.inverse_inertia_local.x
 // wrong unit-matrix-between-walls: return mat3 ==> if (body1.is_static() && body2.is_static())
 //         return mat3(1); return mat3
-// wrong mat3-taken-zero: return ==> mat3 k; k += ;; (s2); ==> (s2); return k;
 // right with minus signs: + s1 ==> - s1 ;; transpose(s1) + ==> s1 - ;; transpose(s2) ==> s2
 // right transposed on the left: transpose(s2) ==> s2 ;; transpose(s1) + s2 ==> s1 + transpose(s2)
 //         ;; s1 * ==> transpose(s1) *

@@ -37,6 +37,7 @@ class Joint {
   /// Of two bodies. \throws std::invalid_argument for a joint of a body with itself
   Joint(BodyId body1, BodyId body2) : body1(body1), body2(body2) { require_two(); }
   virtual ~Joint() = default;
+  Joint(const Joint&) = delete;  ///< a joint is not copied: auto& joint = world.add<J>(...)
 
   /// Validates all members that may have been changed since the last step, before every step, so it
   /// has to be fast. An override must call this one first.

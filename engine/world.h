@@ -30,6 +30,11 @@ class World {
   /// their size.
   real max_displacement = real(0.2);
 
+  World() = default;
+  World(World&&) = default;
+  World& operator=(World&&) = default;
+  World(const World&) = delete;  ///< a World is not copied: build another one, restore(it, save(w))
+
   /// Adds a body. \throws std::invalid_argument as Bodies::add()
   BodyId add(const Body& body) { return bodies.add(body); }
   /// Removes a body and every joint that is connected to it.
@@ -45,8 +50,11 @@ class World {
     std::unique_ptr<J> joint;
     if constexpr (std::is_constructible_v<J, const Bodies&, Arguments...>)
       joint = std::make_unique<J>(std::as_const(bodies), std::forward<Arguments>(arguments)...);
-    else
+    else if constexpr (std::is_constructible_v<J, Arguments...>)
       joint = std::make_unique<J>(std::forward<Arguments>(arguments)...);
+    else
+      static_assert(!sizeof(J), "world.add<J>(body1, body2, ...): J has no constructor with these "
+                    "arguments (its header lists them), or J lacks a function such as append()");
     J& reference = *joint;
     adopt(std::move(joint));
     return reference;

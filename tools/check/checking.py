@@ -21,7 +21,7 @@ PROOFS_OF_THE_REST = ("workbook/numbers", "workbook/claims", "workbook/programs"
                       "workbook/hand_out", "workbook/doors",
                       "live/module", "live/page", "live/picture", "course/reports",
                       "course/page", "course/firefox", "bench/cost", "peers/packages",
-                      "library/library", "library/pkg_config", "library/package")
+                      "library/library", "library/guest", "library/pkg_config", "library/package")
 # What runs once more under the sanitizers: where memory is moved about. The judging of exercises
 # moves none.
 SANITIZED = ("engine", "joints", "lanes", "direct", "reduced", "fuzz")

@@ -2,8 +2,8 @@
 import re
 from pathlib import Path
 
-FOLDERS = ("engine", "chapters", "joints", "contacts", "direct", "reduced", "checker", "library",
-           "solutions", "bench", "docs", "tests")
+FOLDERS = ("engine", "chapters", "joints", "contacts", "direct", "reduced", "compare", "checker",
+           "library", "solutions", "bench", "docs", "tests")
 
 
 def group_of(path):

@@ -1,5 +1,5 @@
 # The workbook's own tests, on the solutions, in double and float: one program a topic.
-set(topics engine joints stability lanes ground direct reduced bench errata fuzz)
+set(topics engine joints stability lanes ground direct reduced compare bench errata fuzz)
 if(TARGET bench_peers OR TARGET bench_peers_float)  # where published engines are installed
   list(APPEND topics peers)
 endif()
@@ -47,7 +47,7 @@ foreach(number double float)
   add_library(oracle${suffix} STATIC oracle/oracle.cpp oracle/rigs.cpp
     oracle/allocations.cpp)
   target_link_libraries(oracle${suffix} PUBLIC bench_stability${suffix} simd${suffix}
-    ${libraries${suffix}} instruments${suffix} checker${suffix} dense
+    ${libraries${suffix}} compare${suffix} instruments${suffix} checker${suffix} dense
     PRIVATE workbook_strict)
   # joints.h, for the examples of tests/library/consumer
   target_include_directories(oracle${suffix} PUBLIC ${PROJECT_SOURCE_DIR}/library)

@@ -25,6 +25,7 @@ NEED_SOLUTIONS = {"tour": "./wb run 1, ./wb plot 1 and ./wb see 1 show a finishe
                   "course": "./wb leads through the same exercises",
                   "bench": "docs/measurements.md shows what it measured; ./wb plot and ./wb see "
                            "show the experiments of a chapter, as they were recorded",
+                  "compare": "docs/which_method.md says which method to take",
                   "keep": "nothing has to be kept here: it renews texts after changes of solutions",
                   "hand-out": "copy this folder: it is an edition without solutions"}
 TABLES = {"stability": "stiff, extreme and redundant scenes: which setting holds them",
@@ -281,6 +282,16 @@ def bench(args, options):
     if args.help:
         return house.tell_options(table.PROGRAM, "csv", "append", "machine")
     return table.main(options)
+
+
+@command("compare FILE", "every method on a scene of yours: error, time, and which one to take",
+         argument("file", metavar="FILE", help="C++ with one function: World make_world() {...}"),
+         argument("options", nargs=argparse.REMAINDER, help="those above"),
+         lines=[("  --seconds 5 --hz 60", "of the scene; --gap 0.001 [m] is what you want of it")],
+         usage="./wb compare FILE [--seconds S] [--hz N] [--gap M] [--budget US] [--csv OUT]")
+def compare(args):
+    from bench import compare as methods
+    return methods.main(args.file, args.options)
 
 
 @command("docs", "the documentation as a site, with every motion")

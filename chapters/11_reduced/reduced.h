@@ -26,7 +26,7 @@ enum class Freedom : char {
 /// for a ball joint, and quantities only have to be translated to the parent's anchor, by d.
 struct TreeLink {
   Freedom freedom = Freedom::weld;  ///< relative to the parent
-  bool held = false;   ///< the motion of the joint is known instead of its force
+  bool held = false;   ///< `acceleration` of the joint is known instead of its force `tau`
   bool rotates_inertia = false;  ///< false if all principal moments are equal
   int parent = -1;     ///< index of a link that precedes this one; -1 for a root
   int slot = -1;       ///< of the body; -1 for a massless link inside a joint
@@ -67,7 +67,7 @@ struct TreeLink {
   real D = 0;          ///< S^T U, inertia along the coordinate [kg m^2 or kg]
   real over_D = 0;     ///< 1 / (D + added) or 0 for a subtree without mass
   real added = 0;      ///< inertia added along the coordinate, by implicit springs [like D]
-  real tau = 0;        ///< force of the joint along its coordinate [N m or N]
+  real tau = 0;        ///< force of the joint along its coordinate [N m or N]; a guess if held
   real k = 0;          ///< tau - S^T (n, f) [N m or N]
   real acceleration = 0;  ///< of the coordinate [rad/s^2 or m/s^2]
   vec3 alpha{0};       ///< angular acceleration of the body [rad/s^2]
@@ -96,8 +96,9 @@ void begin_inertia(TreeLink& link);
 /// keep alpha = a_A = 0, less external ones.
 void begin_bias(TreeLink& link);
 /// Exercise 11.3: U, D, and the inertia that the parent feels, Eq. 11-8 and 11-9:
-/// S^T (I (A + S qdd) + (n, f)) = tau - added qdd determines qdd, and substituting it leaves
-/// I - U U^T / (D + added). A held joint, and a weld, pass on all.
+/// S^T times the force on the child is tau - added times the coordinate's acceleration, which
+/// determines the latter; substituting it leaves the inertia less U U^T / (D + added). A held
+/// joint, and a weld, pass on all.
 void eliminate(TreeLink& link);
 /// The same for a ball joint, which passes on no torque: M by Eq. 11-10, and from here on J and H
 /// hold J^-1 and J^-1 H.

@@ -269,17 +269,17 @@ inline std::vector<std::string> newton_names(const NewtonCase&) {
 /// Eq. 9-10.
 inline bool right_move(Bodies& bodies, double h, int iterations, double tolerance,
                        Corrector& corrector, std::vector<Body>& start) {
-  double last = std::numeric_limits<double>::infinity();
-  for (int left = iterations;; --left) {
-    start.assign(bodies.data(), bodies.data() + bodies.slots());
+  for (double most = std::numeric_limits<double>::infinity();; --iterations) {
+    start = {bodies.data(), bodies.data() + bodies.slots()};
     integrate_poses(bodies, real(h));
     std::vector<double> rates = corrector.errors();
-    double largest = 0;
-    for (const double C : rates) largest = std::max(largest, std::abs(C));
-    if (largest <= tolerance) return true;
-    if (left == 0 || largest > poor_contraction * last) return false;
-    last = largest;
-    for (double& C : rates) C = -C / h;
+    double size = 0;
+    for (double& rate : rates) {
+      if (std::abs(rate) > size) size = std::abs(rate);
+      rate = -rate / h;
+    }
+    if (size <= tolerance || iterations == 0 || size > most) return size <= tolerance;
+    most = poor_contraction * size;
     for (int slot = 0; slot < bodies.slots(); ++slot)
       bodies.at(slot) = start[std::size_t(slot)];
     corrector.change_rates(rates);

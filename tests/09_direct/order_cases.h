@@ -20,7 +20,7 @@ namespace joints::testing {
 /// By the text's rule; of equals the node with the least number.
 inline std::vector<int> right_order(const Graph& graph) {
   std::vector<std::set<int>> left;
-  for (const auto& of : graph) left.emplace_back(of.begin(), of.end());
+  for (const auto& of : graph) left.push_back({of.begin(), of.end()});
   std::vector<int> remaining(graph.size()), out;
   std::iota(remaining.begin(), remaining.end(), 0);
   while (!remaining.empty()) {

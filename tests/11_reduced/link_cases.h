@@ -95,9 +95,8 @@ inline void move(TreeLink& link, const TreeLink& parent) {
   if (has_axis(link)) {
     link.w = parent.w + link.rate * angular_of(S);
     link.zeta = W * (link.rate * angular_of(S));
-  } else if (link.freedom != Freedom::ball) {
-    link.w = parent.w;
   }
+  if (link.freedom == Freedom::weld) link.w = parent.w;
   link.gamma = W * W * link.d;
   if (has_axis(link)) link.gamma += real(2) * (W * (link.rate * linear_of(S)));
 }
@@ -116,8 +115,8 @@ inline void eliminate(TreeLink& link) {
   SixBySix I = inertia_of(link);
   const Six S = free_motion(link), U = times(I, S);
   link.Uw = angular_of(U), link.Uv = linear_of(U), link.D = dot6(S, U);
-  const real D = link.D + link.added;
-  link.over_D = D > 0 ? 1 / D : real(0);
+  const real whole = dot6(S, U) + link.added;
+  link.over_D = whole > 0 ? 1 / whole : real(0);
   if (link.held) return;
   for (std::size_t i = 0; i < 6; ++i) I[i] = added(I[i], U, -link.over_D * U[i]);
   link.J = block_of(I, 0, 0), link.H = block_of(I, 0, 3), link.M = block_of(I, 3, 3);
@@ -132,7 +131,8 @@ inline void add_bias(TreeLink& link, TreeLink& parent) {
   Six out = added(p, times(inertia_of(link), six(link.zeta, link.gamma)));
   if (has_axis(link)) {
     link.k = link.tau - dot6(S, p);
-    out = added(out, six(link.Uw, link.Uv), link.held ? link.acceleration : link.over_D * link.k);
+    const real free = link.over_D * link.k;
+    out = added(out, six(link.Uw, link.Uv), link.held ? link.acceleration : free);
   }
   out = times(turned_over(carried(link.d)), out);
   parent.n += angular_of(out), parent.f += linear_of(out);
@@ -140,12 +140,10 @@ inline void add_bias(TreeLink& link, TreeLink& parent) {
 inline void accelerate(TreeLink& link, const TreeLink& parent) {
   Six A = times(carried(link.d), six(parent.alpha, parent.a_A));
   A = added(A, six(link.zeta, link.gamma));
-  const real felt = dot6(six(link.Uw, link.Uv), A);
-  if (has_axis(link)) {
-    if (link.held) link.tau += felt + link.D * link.acceleration - link.k;
-    else link.acceleration = link.over_D * (link.k - felt);
-    A = added(A, free_motion(link), link.acceleration);
-  }
+  const real missing = link.k - dot6(six(link.Uw, link.Uv), A);
+  if (!link.held) link.acceleration = missing * link.over_D;
+  if (link.held) link.tau += link.D * link.acceleration - missing;
+  A = added(A, free_motion(link), link.acceleration);
   link.alpha = angular_of(A), link.a_A = linear_of(A);
 }
 
@@ -217,12 +215,12 @@ inline LinkCase link_case(Draw& d, Freedom freedom, const Draw::Units& u) {
   const double inertia = u.kg * u.m * u.m / along / along;
   if (d.chance("inertia is added")) link.added = real(std::abs(d.number()) * inertia);
   link.tau = real(d.number() * inertia * along * rate * rate);
-  if (has_axis(link)) {  // of another inertia than the J, H and M that are here
-    TreeLink other = link;
-    set_inertia(other, d, u);
-    by_matrices::eliminate(other);
-    link.Uw = other.Uw, link.Uv = other.Uv, link.D = other.D, link.over_D = other.over_D;
-    link.k = real(d.number() * inertia * along * rate * rate);
+  link.Uw = d.vector(inertia * along), link.Uv = d.vector(inertia * along / u.m);  // of nothing
+  link.D = real(d.number() * inertia), link.over_D = real(d.number() / inertia);
+  link.k = real(d.number() * inertia * along * rate * rate);
+  if (d.chance("the subtree has no mass")) {
+    link.J = link.H = link.M = mat3(0);
+    link.added = 0;
   }
   return c;
 }
@@ -236,15 +234,27 @@ inline const char* name_of(Freedom freedom) {
     default: return "root";
   }
 }
-/// Four states of each kind of link; each second one is held.
-inline std::vector<LinkCase> link_cases(const std::vector<Freedom>& kinds) {
+/// How far the recursion has come when a function is called.
+enum class After { nothing, eliminate, add_bias };
+inline void come(TreeLink& link, After done) {
+  if (!has_axis(link) || done == After::nothing) return;
+  by_matrices::eliminate(link);
+  if (done == After::add_bias) link.k = link.tau - dot6(free_motion(link), six(link.n, link.f));
+}
+
+/// Four states of each kind of link, of which each second one is held, and one without mass.
+inline std::vector<LinkCase> link_cases(const std::vector<Freedom>& kinds, After done) {
   std::vector<LinkCase> out;
   for (const Freedom kind : kinds)
-    for (unsigned draw = 0; draw < 4; ++draw) {
+    for (unsigned draw = 0; draw < 5; ++draw) {
       Draw d(draw + 11);
       LinkCase c = link_case(d, kind, {1, 1, 1});
       c.link.held = has_axis(c.link) && draw % 2 == 1;
-      c.words = std::string(name_of(kind)) + (c.link.held ? ", held" : "");
+      const bool massless = draw == 4 && has_axis(c.link);
+      if (massless) c.link.J = c.link.H = c.link.M = mat3(0);
+      if (massless) c.link.added = 0;
+      come(c.link, done);
+      c.words = std::string(name_of(kind)) + (c.link.held ? ", held" : massless ? ", no mass" : "");
       out.push_back(c);
     }
   return out;
@@ -257,6 +267,7 @@ struct Output {
   const char* name;
   std::vector<vec3> (*of)(const LinkCase& c);
   double (*unit)(const Draw::Units& u);
+  int numbers = 3;  ///< of each vector; 1: a number, in x
 };
 using Outputs = std::vector<Output>;
 
@@ -283,7 +294,7 @@ inline Numbers numbers_of(const LinkCase& c, const Outputs& outputs) {
   Numbers out;
   for (const Output& output : outputs)
     for (const vec3& a : output.of(c))
-      out.insert(out.end(), {double(a.x), double(a.y), double(a.z)});
+      for (int i = 0; i < output.numbers; ++i) out.push_back(double(a[i]));
   return out;
 }
 inline std::vector<std::string> entries_of(const Outputs& outputs) {
@@ -291,10 +302,10 @@ inline std::vector<std::string> entries_of(const Outputs& outputs) {
   for (const Output& output : outputs) {
     const std::size_t vectors = output.of(LinkCase{}).size();
     for (std::size_t k = 0; k < vectors; ++k)
-      for (std::size_t i = 0; i < 3; ++i)
-        out.push_back(std::string(output.name) +
+      for (int i = 0; i < output.numbers; ++i)
+        out.push_back(output.name +
                       (vectors == 3 ? "[" + std::to_string(i) + ", " + std::to_string(k) + "]"
-                                    : std::string(".") + "xyz"[i]));
+                       : output.numbers == 1 ? "" : std::string(".") + "xyz"[i]));
   }
   return out;
 }
@@ -302,11 +313,12 @@ inline std::vector<std::string> entries_of(const Outputs& outputs) {
 /// A function as a table over links of some kinds.
 template <class Function>
 CaseTable<LinkCase> link_table(const Subject& subject, Function* yours, Function* right,
-                               const Outputs& outputs, const std::vector<Freedom>& kinds) {
+                               const Outputs& outputs, const std::vector<Freedom>& kinds,
+                               After done = After::nothing) {
   CaseTable<LinkCase> table{subject, entries_of(outputs)};
   judge(table, yours, [=](auto f, const LinkCase& c) { return numbers_of(after(f, c), outputs); });
   table.right = [=](const LinkCase& c) { return numbers_of(after(right, c), outputs); };
-  table.cases = link_cases(kinds);
+  table.cases = link_cases(kinds, done);
   table.whole = true;
   table.tolerance = 100 * rounding;
   return table;
@@ -315,19 +327,17 @@ CaseTable<LinkCase> link_table(const Subject& subject, Function* yours, Function
 /// The same of a drawn link, in its units.
 template <class Function>
 Drawn drawn_link(Draw& d, Function* yours, Function* right, const Outputs& outputs,
-                 const std::vector<Freedom>& kinds) {
+                 Freedom kind, After done) {
   const Draw::Units u = d.units(is_float ? 2 : 9);
-  const std::size_t kind = std::size_t(d.whole(0, int(kinds.size()) - 1));
-  for (std::size_t k = 1; k < kinds.size(); ++k)
-    d.side(std::string("it is a ") + name_of(kinds[k]), k == kind);
-  const LinkCase c = link_case(d, kinds[kind], u);
+  LinkCase c = link_case(d, kind, u);
+  come(c.link, done);
   const LinkCase mine = after(yours, c), wanted = after(right, c);
   Drawn out{entries_of(outputs), {}, {}, {100}};
   for (const Output& output : outputs) {
     const real unit = real(output.unit(u));
     const std::vector<vec3> a = output.of(mine), b = output.of(wanted);
     for (std::size_t k = 0; k < a.size(); ++k)
-      for (int i = 0; i < 3; ++i) {
+      for (int i = 0; i < output.numbers; ++i) {
         out.yours.push_back(double(a[k][i] / unit));
         out.right.push_back(double(b[k][i] / unit));
       }

@@ -71,6 +71,9 @@
 // mistake "a ball joint gets the parent's w: its own is a coordinate, which stays": else if
 //         (link.freedom != Freedom::ball) ==> else
 // mistake "the w of slider and weld is not set": link.w = w; if ==> if
+// mistake "a slider is treated as a hinge: it does not rotate in its parent": if (link.freedom ==
+//         Freedom::hinge) ==> if (link.freedom == Freedom::hinge || link.freedom ==
+//         Freedom::slider)
 // right with the child's w in zeta: link.zeta = cross(w, relative) ==> link.zeta = cross(w, link.w)
 // right with a switch:
   link.gamma = dot(w, link.d) * w - dot(w, w) * link.d;

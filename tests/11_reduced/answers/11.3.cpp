@@ -14,6 +14,8 @@
 // mistake "the axis of the parent's space": link.Uw = link.J * link.a ==> link.Uw = link.J *
 //         link.axis_local
 // mistake "`added` is missing in over_D": link.D + link.added ==> link.D
+// mistake "1/D of a subtree without mass is infinite: over_D is 0 then": D > 0 ? 1 / D : real(0)
+//         ==> 1 / D
 // mistake "over_D is D: it is the inverse": D > 0 ? 1 / D : real(0) ==> D
 // mistake "a held joint lets inertia slip through: it passes on all": if (!link.held) ==> if (true)
 // mistake "only a held joint lets inertia slip through: it is the other way round": if (!link.held)
@@ -96,6 +98,9 @@
 //         link.Uv ==> f -= along * link.Uv
 // mistake "U is left out of the force": f += along * link.Uv; ==>
 // mistake "U is left out of the torque": n += along * link.Uw; ==>
+// mistake "a weld is left out: it passes on what gamma needs, too": n += link.H * link.gamma ==> if
+//         (hinge || slider) n += link.H * link.gamma ;; f += link.M * link.gamma ==> if (hinge ||
+//         slider) f += link.M * link.gamma
 // right with zeta for all kinds: n += link.J * link.zeta; f += link.zeta * link.H; ==> ;; n +=
 //         link.H * link.gamma; ==> n += link.J * link.zeta + link.H * link.gamma; f += link.zeta *
 //         link.H;

@@ -48,4 +48,14 @@
   else link.tau += link.D * link.acceleration - missing;
   if (hinge) link.alpha += link.acceleration * link.a;
   else link.a_A += link.acceleration * link.a;
+// right as Eq. 11-16 has it:
+  const bool hinge = link.freedom == Freedom::hinge;
+  vec3& own = hinge ? link.alpha : link.a_A;
+  if (!link.held)
+    link.acceleration =
+        link.over_D * (link.k - dot(link.Uw, link.alpha) - dot(link.Uv, link.a_A));
+  own += link.acceleration * link.a;
+  if (link.held)
+    link.tau = hinge ? dot(link.a, link.n + link.J * link.alpha + link.H * link.a_A)
+                     : dot(link.a, link.f + link.alpha * link.H + link.M * link.a_A);
 // wrong units "Units": link.over_D * (link.k - felt) ==> link.k - felt

@@ -1,0 +1,325 @@
+// The list of methods, the runs, the reference and the recommendation.
+#include "compare/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "direct/direct_solver.h"
+#include "engine/instruments/measure.h"
+#include "engine/simd/packed.h"
+#include "reduced/reduced.h"
+
+namespace joints {
+
+namespace {
+
+using Stepper = std::function<void(World&, real)>;
+constexpr double none = std::numeric_limits<double>::infinity();
+
+// ---- the methods --------------------------------------------------------------------------------
+
+struct Method {
+  const char* name;
+  const char* code;
+  Stepper (*make)(World& world);
+};
+
+template <class S>
+Stepper by(World& world, real beta, const S& settings, const StepOptions& how) {
+  world.set_beta(beta);
+  const auto solver = std::make_shared<S>(settings);
+  return [=](World& world, real h) { step(world, *solver, h, how); };
+}
+DirectSolver direct(int newton, real added_inertia = 0) {
+  DirectSolver solver;
+  solver.newton = newton;
+  solver.added_inertia = added_inertia;
+  return solver;
+}
+PackedImpulses packed(int iterations) {
+  PackedImpulses solver;
+  solver.iterations = iterations;
+  return solver;
+}
+
+// From few lines of settings to many. A method that refuses the scene says why.
+const Method methods[] = {
+    {"10 iterations, warm", "PackedImpulses solver; solver.iterations = 10; world.set_beta(0.1);\n"
+     "step(world, solver, h, {.warm_start = true});",
+     [](World& w) { return by(w, real(0.1), packed(10), {.warm_start = true}); }},
+    {"30 iterations", "PackedImpulses solver; solver.iterations = 30;\nstep(world, solver, h);",
+     [](World& w) { return by(w, real(0.2), packed(30), {}); }},
+    {"4 substeps of 8", "PackedImpulses solver; solver.iterations = 8; world.set_beta(1);\n"
+     "step(world, solver, h, {.substeps = 4});",
+     [](World& w) { return by(w, 1, packed(8), {.substeps = 4}); }},
+    {"16 substeps of 2", "PackedImpulses solver; solver.iterations = 2; world.set_beta(1);\n"
+     "step(world, solver, h, {.substeps = 16});",
+     [](World& w) { return by(w, 1, packed(2), {.substeps = 16}); }},
+    {"direct", "DirectSolver solver; world.set_beta(1);\n"
+     "step(world, solver, h, {.leapfrog = true});",
+     [](World& w) { return by(w, 1, direct(0), {.leapfrog = true}); }},
+    {"direct, exact positions", "DirectSolver solver; solver.newton = 8; world.set_beta(1);\n"
+     "step(world, solver, h, {.leapfrog = true});",
+     [](World& w) { return by(w, 1, direct(8), {.leapfrog = true}); }},
+    {"the default", "DirectSolver solver; solver.newton = 8; solver.added_inertia = 8;\n"
+     "world.set_beta(1); step(world, solver, h, {.leapfrog = true});",
+     [](World& w) { return by(w, 1, direct(8, 8), {.leapfrog = true}); }},
+    {"the default, 4 substeps",
+     "DirectSolver solver; solver.newton = 8; solver.added_inertia = 8;\n"
+     "world.set_beta(1); step(world, solver, h, {.substeps = 4, .leapfrog = true});",
+     [](World& w) { return by(w, 1, direct(8, 8), {.substeps = 4, .leapfrog = true}); }},
+    {"direct, 4 substeps, warm", "DirectSolver solver; solver.newton = 8; world.set_beta(1);\n"
+     "step(world, solver, h, {.warm_start = true, .substeps = 4});",
+     [](World& w) { return by(w, 1, direct(8), {.warm_start = true, .substeps = 4}); }},
+    {"reduced coordinates", "Reduced tree(world); tree.step(world, h);",
+     [](World& w) {
+       const auto tree = std::make_shared<Reduced>(w);
+       return Stepper([=](World& world, real h) { tree->step(world, h); });
+     }},
+    {"reduced, Runge-Kutta", "Reduced tree(world); tree.method = Reduced::Method::runge_kutta;\n"
+     "tree.step(world, h);",
+     [](World& w) {
+       const auto tree = std::make_shared<Reduced>(w);
+       tree->method = Reduced::Method::runge_kutta;
+       return Stepper([=](World& world, real h) { tree->step(world, h); });
+     }},
+};
+constexpr int reference_method = 5;
+
+// ---- a run --------------------------------------------------------------------------------------
+
+double now_us() {
+  timespec time;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e6 * double(time.tv_sec) + 1e-3 * double(time.tv_nsec);
+}
+
+using Places = std::vector<vec3>;
+Places places_of(const World& world) {
+  Places out;
+  for (int slot = 0; slot < world.bodies.slots(); ++slot)
+    out.push_back(world.bodies.used(slot) ? world.bodies.at(slot).x : vec3(0));
+  return out;
+}
+double apart(const Places& a, const Places& b) {
+  double most = a.size() == b.size() ? 0 : none;
+  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
+    const double gap = double(length(a[k] - b[k]));
+    if (!(gap <= most)) most = gap;
+  }
+  return most;
+}
+
+// Measures the joints of a run on a second world, so that measuring changes nothing.
+class Gauge {
+ public:
+  explicit Gauge(World world) : world_(std::move(world)) {}
+  void look(const World& run, real h, MethodResult& out) {
+    for (int slot = 0; slot < run.bodies.slots() && slot < world_.bodies.slots(); ++slot)
+      if (run.bodies.used(slot)) world_.bodies.at(slot) = run.bodies.at(slot);
+    blocks_.clear();
+    for (const auto& joint : world_.joints()) {
+      joint->begin_step(world_.bodies, h);
+      if (joint->can_move() && !joint->transient()) joint->append(world_.bodies, blocks_);
+    }
+    for (const Block& block : blocks_.list) {
+      if (!block.target.holds_position || block.target.frequency > 0) continue;
+      for (int row = block.first; row < block.first + block.rows; ++row) {
+        const Row& J = blocks_.J[std::size_t(row)];
+        const double C = double(blocks_.C[std::size_t(row)]);
+        const bool turns = J.v1 == vec3(0) && J.v2 == vec3(0);
+        double& most = block.target.one_sided() ? out.depth : turns ? out.angle : out.gap;
+        most = std::max(most, block.target.one_sided() ? -C : std::abs(C));
+      }
+    }
+  }
+
+ private:
+  World world_;
+  Blocks blocks_;
+};
+
+struct Track {
+  std::vector<Places> frames;  // at the end of every step of the Wish
+  double us = 0;               // of all steps
+};
+
+// Runs a method with `parts` steps in each step of the wish. What stops it is in `out.failed`.
+Track run(const std::function<World()>& make_world, const Wish& wish, const Method& method,
+          int parts, MethodResult& out) {
+  Track track;
+  const int steps = std::max(1, int(std::lround(wish.seconds / double(wish.h))));
+  try {
+    World world = make_world();
+    Gauge gauge(make_world());
+    const Stepper advance = method.make(world);
+    const auto energy_now = [&] { return energy(all_of(world.bodies), world.gravity); };
+    const double energy_before = energy_now();
+    std::vector<double> times;
+    track.frames.push_back(places_of(world));
+    for (int n = 0; n < steps; ++n) {
+      double us = 0;
+      for (int part = 0; part < parts; ++part) {
+        if (wish.control) wish.control(world, (n + double(part) / parts) * double(wish.h));
+        const double start = now_us();
+        advance(world, wish.h / real(parts));
+        us += now_us() - start;
+      }
+      times.push_back(us);
+      track.us += us;
+      track.frames.push_back(places_of(world));
+      gauge.look(world, wish.h, out);
+    }
+    std::sort(times.begin(), times.end());
+    const auto quantile = [&](double share) { return times[std::size_t(share * (steps - 1))]; };
+    out.us = quantile(0.5);
+    out.spread = (quantile(0.75) - quantile(0.25)) / std::max(out.us, 1e-9);
+    out.energy = energy_now() - energy_before;
+  } catch (const std::exception& error) {
+    out.failed = error.what();
+  }
+  return track;
+}
+
+// Until which frame two tracks agree within `most`, and how far they are apart until then.
+std::size_t agree_until(const Track& a, const Track& b, double most, double& distance) {
+  std::size_t n = 0;
+  distance = 0;
+  while (n < std::min(a.frames.size(), b.frames.size())) {
+    const double gap = apart(a.frames[n], b.frames[n]);
+    if (!(gap <= most)) break;
+    distance = std::max(distance, gap);
+    ++n;
+  }
+  return n;
+}
+
+std::string shown(double number) {
+  char words[32];
+  std::snprintf(words, sizeof words, number < none ? "%.2g" : "-", number);
+  return words;
+}
+
+}  // namespace
+
+// ---- all methods --------------------------------------------------------------------------------
+
+Comparison compare(const std::function<World()>& make_world, const Wish& wish) {
+  require(wish.seconds > 0 && wish.seconds < none, "seconds", real(wish.seconds),
+          "must be positive and finite [s]");
+  require(wish.h > 0 && wish.h < unbounded, "h", wish.h, "must be positive and finite [s]");
+  Comparison out;
+  out.wish = wish;
+  Track coarse, reference;
+  std::size_t agreed = 0;
+  const auto refine = [&](int parts) {
+    MethodResult unused;
+    coarse = std::move(reference);
+    reference = run(make_world, wish, methods[reference_method], parts, unused);
+    if (parts > 4) agreed = agree_until(coarse, reference, wish.gap / 3, out.reference_apart);
+    return unused.failed.empty();
+  };
+  double spent = 0;
+  for (int parts = 4; parts <= 64 && refine(parts); parts *= 2) {
+    spent += 1e-6 * reference.us;
+    if (agreed == reference.frames.size() || spent > wish.patience / 3) break;
+  }
+  out.reference_until = agreed > 0 ? double(agreed - 1) * double(wish.h) : 0;
+
+  for (const Method& method : methods) {
+    MethodResult result{method.name, method.code};
+    const Track track = run(make_world, wish, method, 1, result);
+    for (std::size_t n = 0; n < std::min(agreed, track.frames.size()); ++n) {
+      const double gap = apart(track.frames[n], reference.frames[n]);
+      if (!(gap <= result.distance)) result.distance = gap;
+    }
+    result.meets = result.failed.empty() && result.gap <= wish.gap && result.angle <= wish.angle &&
+                   result.distance <= wish.distance && result.us <= wish.budget;
+    const int here = int(out.methods.size()), best = out.recommended;
+    out.methods.push_back(result);
+    if (result.meets && (best < 0 || result.us < out.methods[std::size_t(best)].us))
+      out.recommended = here;
+  }
+  return out;
+}
+
+std::string Comparison::table() const {
+  std::string out;
+  char line[200];
+  std::snprintf(line, sizeof line, "%-26s%9s%8s%9s%9s%9s%10s%10s\n", "", "us a step", "spread",
+                "gap m", "angle", "depth", "from ref.", "energy J");
+  out += line;
+  for (const MethodResult& m : methods) {
+    if (m.failed.empty())
+      std::snprintf(line, sizeof line, "%-26s%9.3g%7.0f%%%9.1e%9.1e%9.1e%10.1e%+10.1e%s\n",
+                    m.name.c_str(), m.us, 100 * m.spread, m.gap, m.angle, m.depth, m.distance,
+                    m.energy, m.meets ? "" : "  no");
+    else
+      std::snprintf(line, sizeof line, "%-26s  %.160s\n", m.name.c_str(), m.failed.c_str());
+    out += line;
+  }
+  if (reference_until > 0)
+    out += "The reference: two refinements agree for " + shown(reference_until) + " s, to " +
+           shown(reference_apart) + " m.\n";
+  else
+    out += "There is no reference: refinements of the step do not agree.\n";
+  if (recommended >= 0) {
+    const MethodResult& best = methods[std::size_t(recommended)];
+    return out + "The fastest that meets the wish (gap " + shown(wish.gap) + " m, angle " +
+           shown(wish.angle) + "): " + best.name + ".\n\n" + best.code + "\n";
+  }
+  const auto nearest = std::min_element(
+      methods.begin(), methods.end(), [](const MethodResult& a, const MethodResult& b) {
+        return (a.failed.empty() ? a.gap : none) < (b.failed.empty() ? b.gap : none);
+      });
+  return out + "None meets the wish (gap " + shown(wish.gap) + " m, angle " + shown(wish.angle) +
+         "). The smallest gap has: " + nearest->name + ". Try a shorter step.\n";
+}
+
+void Comparison::write_csv(const std::string& path) const {
+  std::ofstream file(path);
+  require(bool(file), ("cannot write " + path).c_str());
+  file << "method,us_per_step,spread,gap_m,angle_rad,depth,distance_m,energy_j,meets,failed\n";
+  for (const MethodResult& m : methods)
+    file << '"' << m.name << "\"," << m.us << ',' << m.spread << ',' << m.gap << ',' << m.angle
+         << ',' << m.depth << ',' << m.distance << ',' << m.energy << ',' << m.meets << ",\""
+         << m.failed << "\"\n";
+}
+
+int compare_main(const std::function<World()>& make_world, int argc, const char* const* argv) {
+  try {
+    Wish wish;
+    std::string csv;
+    for (int k = 1; k < argc; ++k) {
+      const std::string name = argv[k];
+      require(k + 1 < argc, (name + ": a value is missing").c_str());
+      const std::string text = argv[++k];
+      char* end = nullptr;
+      const double value = std::strtod(text.c_str(), &end);
+      require(name == "--csv" || (end != text.c_str() && !*end),
+              (name + ": " + text + " is no number").c_str());
+      if (name == "--seconds") wish.seconds = value;
+      else if (name == "--hz") wish.h = real(1 / value);
+      else if (name == "--gap") wish.gap = value;
+      else if (name == "--budget") wish.budget = value;
+      else if (name == "--csv") csv = text;
+      else refuse(name + ": there are --seconds, --hz, --gap, --budget and --csv");
+    }
+    const Comparison found = compare(make_world, wish);
+    std::fputs(found.table().c_str(), stdout);
+    if (!csv.empty()) found.write_csv(csv);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}
+
+}  // namespace joints

@@ -141,6 +141,7 @@ def a_mark_is_of_the_checked_text(root, build):
         if seen != (done, reported):
             states.append(f"after {after}: done {seen[0]}, reported {seen[1]}")
 
+    exercise.take_in(stub)  # what the proofs before have written
     exercise.write(WRONG)
     exercise.write(RIGHT)
     browser.ask(f"""(button => new MutationObserver((_, observer) => {{

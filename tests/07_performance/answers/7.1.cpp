@@ -1,16 +1,13 @@
-// mistake "added to the old value: = and not += (the axis)": out.bias[3 + i] = ==> out.bias[3 + i]
-//         +=
+// mistake "added to the old value: = and not += (the axis)": + i] = ==> + i] +=
 // mistake "the two of the axis are exchanged: first a1.b, then a1.c": 3 + ==> 4 -
-// mistake "the bodies are exchanged: axis.jacobian(body1, body2)": axis.jacobian(body1, body2) ==>
-//         axis.jacobian(body2, body1)
+// mistake "the bodies are exchanged: axis.jacobian(body1, body2)": body1, body2 ==> body2, body1
 // mistake "the first row stands there twice: the second one is c x a1": axis[i] ==> axis[0]
 // mistake "the sign of the first row: b x a1 is the block w2": triple(axis[i].w2) ==> triple(i == 0
 //         ? axis[i].w1 : axis[i].w2)
 // mistake "the axis is turned with the wrong body: a1 rides on body 1, b and c on body 2": for (int
-//         i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2) ==> const vec3 a =
-//         to_world(body2, hinge.axis.a1_local); out.axis_row[0] = triple(cross(to_world(body2,
-//         hinge.axis.b_local), a)) ;; out.I1 ==> out.axis_row[1] = triple(cross(to_world(body2,
-//         hinge.axis.c_local), a)); out.I1
+//         i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2 ==> const vec3 a = to_world(body2,
+//         hinge.axis.a1_local); out.axis_row[0] = triple(cross(to_world(body2, hinge.axis.b_local),
+//         a) ;; I1 ==> axis_row[1] = triple(cross(to_world(body2, hinge.axis.c_local), a)); out.I1
 // mistake "60 in the place of 1/h: a step may have another length than 1/60 s": hinge.beta / h ==>
 //         60 * hinge.beta
 // expects: holds at upright, turned and moved
@@ -18,13 +15,11 @@
 //         hinge.point.error(body1, body2) ==> to_local(body1, hinge.point.error(body1, body2))
 // wrong drawn-threshold: const vec3 gap = hinge.point.error(body1, body2) ==> vec3 gap =
 //         hinge.point.error(body1, body2); if (length(gap) < real(1e-9)) gap = vec3(0)
-// wrong drawn-threshold: rate * tilt[i] ==> std::abs(tilt[i]) < real(1e-6) ? real(0) : rate *
-//         tilt[i]
+// wrong drawn-threshold: rate * tilt ==> std::abs(tilt[i]) < real(1e-6) ? real(0) : rate * tilt
 // wrong few-digits: const real rate ==> const float rate
 // mistake "the bodies are exchanged: axis.error(body1, body2)": hinge.axis.error(body1, body2) ==>
 //         hinge.axis.error(body2, body1)
-// mistake "the two of the axis begin one place too early: bias[3] and bias[4]": out.bias[3 + i] ==>
-//         out.bias[2 + i]
+// mistake "the two of the axis begin one place too early: bias[3] and bias[4]": 3 + ==> 2 +
 // wrong "an index outside": out.bias[3 + i] ==> out.bias[4 + i]
 // wrong never-set: out.bias[i] = rate * gap[i] ==> { real sum; sum += rate * gap[i]; out.bias[i] =
 //         sum; }
@@ -79,9 +74,8 @@
 //         ==> to_world(body{2|1}, hinge.point.anchor{2|1}_local)
 // mistake "r{1|2}: the anchor of the other body, turned with this one": to_world(body{1|2},
 //         hinge.point.anchor{1|2}_local) ==> to_world(body{1|2}, hinge.point.anchor{2|1}_local)
-// mistake "r{1|2}: turned with the other body: each anchor rides on its own body":
-//         to_world(body{1|2}, hinge.point.anchor{1|2}_local) ==> to_world(body{2|1},
-//         hinge.point.anchor{1|2}_local)
+// mistake "r{1|2}: turned with the other body: each anchor rides on its own body": body{1|2} ==>
+//         body{2|1}
 // mistake "r{1|2}: the anchor of the other body, not turned": to_world(body{1|2},
 //         hinge.point.anchor{1|2}_local) ==> hinge.point.anchor{2|1}_local
 // mistake "r{1|2}: the sign: from the centre to the anchor": to_world(body{1|2} ==>
@@ -103,13 +97,10 @@
 //         zero": to_world(body2, hinge.point.anchor2_local) ==> world_point(body1,
 //         hinge.point.anchor1_local) - body2.x ;; to_world(body1, hinge.point.anchor1_local) ==>
 //         world_point(body2, hinge.point.anchor2_local) - body1.x
-// mistake "r1 and r2: the anchor of the other body, turned with this one": to_world(body2,
-//         hinge.point.anchor2_local) ==> to_world(body2, hinge.point.anchor1_local) ;;
-//         to_world(body1, hinge.point.anchor1_local) ==> to_world(body1, hinge.point.anchor2_local)
-// mistake "r1 and r2: turned with the other body: each anchor rides on its own body":
-//         to_world(body2, hinge.point.anchor2_local) ==> to_world(body1, hinge.point.anchor2_local)
-//         ;; to_world(body1, hinge.point.anchor1_local) ==> to_world(body2,
-//         hinge.point.anchor1_local)
+// mistake "r1 and r2: the anchor of the other body, turned with this one": anchor2_local ==>
+//         anchor1_local ;; anchor1_local ==> anchor2_local
+// mistake "r1 and r2: turned with the other body: each anchor rides on its own body": body2 ==>
+//         body1 ;; body1 ==> body2
 // mistake "the rows are not written yet": for (int i = 0; i < 2; ++i) out.axis_row[i] =
 //         triple(axis[i].w2); ==>
 // mistake "the {first|second} row is not written yet": for (int i = 0; i < 2; ++i) out.axis_row[i]
@@ -147,8 +138,7 @@
 // mistake "I{1|2}: turned the wrong way round: R I^-1 R^T, not R^T I^-1 R":
 //         inverse_inertia(body{1|2}) ==> [&](Body b) { b.q = conjugate(b.q); return
 //         inverse_inertia(b); }(body{1|2})
-// mistake "I{1|2}: the inertia of the other body": inverse_inertia(body{1|2}) ==>
-//         inverse_inertia(body{2|1})
+// mistake "I{1|2}: the inertia of the other body": (body{1|2}) ==> (body{2|1})
 // mistake "I{1|2}: turned with the other body": inverse_inertia(body{1|2}) ==> [&](Body b) { b.q =
 //         body{2|1}.q; return inverse_inertia(b); }(body{1|2})
 // mistake "I{1|2}: the inertia itself, not its inverse": inverse_inertia(body{1|2}) ==>
@@ -179,8 +169,7 @@
 // mistake "I1 and I2: the inertia itself, not its inverse": inverse_inertia(body2) ==>
 //         inverse(inverse_inertia(body2)) ;; inverse_inertia(body1) ==>
 //         inverse(inverse_inertia(body1))
-// mistake "I1 and I2: the inertia of the other body": inverse_inertia(body2) ==>
-//         inverse_inertia(body1) ;; inverse_inertia(body1) ==> inverse_inertia(body2)
+// mistake "I1 and I2: the inertia of the other body": (body2) ==> (body1) ;; body1) ==> body2)
 // mistake "I1 and I2: times the inverse mass: an inverse inertia has the mass in it":
 //         inverse_inertia(body2) ==> body2.inverse_mass * inverse_inertia(body2) ;;
 //         inverse_inertia(body1) ==> body1.inverse_mass * inverse_inertia(body1)
@@ -236,8 +225,7 @@
 //         ;; rate * tilt[i] ==> rate * std::max(tilt[i], real(0))
 // mistake "only positive errors are fed back (the {point|axis})": rate * {gap|tilt}[i] ==> rate *
 //         std::max({gap|tilt}[i], real(0))
-// mistake "added to the old value: = and not +=": out.bias[i] = ==> out.bias[i] += ;; out.bias[3 +
-//         i] = ==> out.bias[3 + i] +=
+// mistake "added to the old value: = and not +=": bias[i] = ==> bias[i] += ;; + i] = ==> + i] +=
 // mistake "added to the old value: = and not += (the point)": out.bias[i] = ==> out.bias[i] +=
 // mistake "the biases are not written yet": for (int i = 0; i < 3; ++i) out.bias[i] = rate *
 //         gap[i]; for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i]; ==>
@@ -245,8 +233,7 @@
 // mistake "{not written yet|zero}: bias[0], bias[1], bias[2]. All five errors are fed back, three
 //         of the point and two of the axis": out.bias[i] = rate * gap[i]; ==> {h|out.bias[i] = 0};
 // mistake "{not written yet|zero}: bias[3], bias[4]. All five errors are fed back, three of the
-//         point and two of the axis": out.bias[3 + i] = rate * tilt[i]; ==> {h|out.bias[3 + i] =
-//         0};
+//         point and two of the axis": out.bias[3 + i] = rate * tilt[i] ==> {h|out.bias[3 + i] = 0}
 // mistake "{not written yet|zero}: bias[4]. All five errors are fed back, three of the point and
 //         two of the axis": out.bias[3 + i] = rate * tilt[i]; ==> if (i == 0) out.bias[3] = rate *
 //         tilt[0]; else {h|out.bias[4]=0};
@@ -269,8 +256,7 @@
 //         to_world(body1, hinge.point.anchor1_local)
 // mistake "the gap in the axes of body 2: point.error is in world axes already":
 //         hinge.point.error(body1, body2) ==> to_local(body2, hinge.point.error(body1, body2))
-// mistake "the length of the gap in all three: it has three numbers": rate * gap[i] ==> rate *
-//         length(gap)
+// mistake "the length of the gap in all three: it has three numbers": gap[i] ==> length(gap)
 // mistake "the axis error with nothing turned into the world: axis.error": hinge.axis.error(body1,
 //         body2) ==> [&](Body one, Body two) { one.q = two.q = quat(1, 0, 0, 0); return
 //         hinge.axis.error(one, two); }(body1, body2)
@@ -281,10 +267,9 @@
 //         hinge.axis.error(body1, body2) ==> [&](Body one, Body two) { two.q = quat(1, 0, 0, 0);
 //         return hinge.axis.error(one, two); }(body1, body2)
 // mistake "the velocities are included: the bias does not depend on them, J V is computed in the
-//         solve": gap[i]; ==> gap[i] + (point_velocity(body2, to_world(body2,
-//         hinge.point.anchor2_local)) - point_velocity(body1, to_world(body1,
-//         hinge.point.anchor1_local)))[i]; ;; tilt[i]; ==> tilt[i] + dot(axis[i].w2, body2.w -
-//         body1.w);
+//         solve": ]; ==> ] + (point_velocity(body2, to_world(body2, hinge.point.anchor2_local)) -
+//         point_velocity(body1, to_world(body1, hinge.point.anchor1_local)))[i]; ;; tilt[i] ==>
+//         tilt[i] + dot(axis[i].w2, body2.w - body1.w)
 // mistake "the velocities are included: the bias does not depend on them, J V is computed in the
 //         solve": rate * gap[i]; ==> rate * (gap[i] + (point_velocity(body2, to_world(body2,
 //         hinge.point.anchor2_local)) - point_velocity(body1, to_world(body1,
@@ -299,9 +284,8 @@
 // mistake "the velocities are included: the bias does not depend on them, J V is computed in the
 //         solve": tilt[i]; ==> tilt[i] + dot(axis[i].w2, body2.w - body1.w);
 // mistake "the velocities are included: the bias does not depend on them, J V is computed in the
-//         solve": gap[i]; ==> gap[i] + (point_velocity(body2, to_world(body2,
-//         hinge.point.anchor2_local)) - point_velocity(body1, to_world(body1,
-//         hinge.point.anchor1_local)))[i];
+//         solve": ]; ==> ] + (point_velocity(body2, to_world(body2, hinge.point.anchor2_local)) -
+//         point_velocity(body1, to_world(body1, hinge.point.anchor1_local)))[i];
 // right levers by matrices:
   // R as a matrix, for the levers and for R I^-1 R^T.
   const mat3 R1 = glm::mat3_cast(body1.q), R2 = glm::mat3_cast(body2.q);

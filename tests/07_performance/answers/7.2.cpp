@@ -1,5 +1,4 @@
-// wrong drawn-cut: const Triple<real> along ==> if (inverse_mass1 < real(1e-6)) inverse_mass1 = 0;
-//         const Triple<real> along
+// wrong drawn-cut: const ==> if (inverse_mass1 < real(1e-6)) inverse_mass1 = 0; const
 // mistake "beside a static body K is zero: the other one moves": for (int j = 0; j < 3; ++j) ==> if
 //         (inverse_mass1 == 0 || inverse_mass2 == 0) return K; for (int j = 0; j < 3; ++j)
 // expects: Fails at 1 static and 2 static; holds at upright, turned, moved, broken
@@ -16,49 +15,31 @@
 // wrong "none of the usual ones, but it is in the point's 3x3 alone": 2 ==> 1
 // wrong never-set: K[j][j] += inverse_mass1 + inverse_mass2; ==> { real sum; sum += K[j][j] +
 //         inverse_mass1 + inverse_mass2; K[j][j] = sum; }
-// mistake "the turns of body {1|2} are missing in the point's 3x3": cross(hinge.I{1|2} *
-//         cross(hinge.r{1|2}, along), hinge.r{1|2}) ==> real(0) * cross(hinge.I{1|2} *
-//         cross(hinge.r{1|2}, along), hinge.r{1|2})
-// mistake "only the inverse masses: the turns are missing in the point's 3x3": cross(hinge.I1 *
-//         cross(hinge.r1, along), hinge.r1) ==> real(0) * cross(hinge.I1 * cross(hinge.r1, along),
-//         hinge.r1) ;; cross(hinge.I2 * cross(hinge.r2, along), hinge.r2) ==> real(0) *
-//         cross(hinge.I2 * cross(hinge.r2, along), hinge.r2)
+// mistake "the turns of body {1|2} are missing in the point's 3x3": cross(hinge.I{1|2} ==> real(0)
+//         * cross(hinge.I{1|2}
+// mistake "only the inverse masses: the turns are missing in the point's 3x3": cross ==> real(0) *
+//         cross ;; cross(hinge.I2 ==> real(0) * cross(hinge.I2
 // mistake "the sign of the turns of body {1|2}: the terms of both bodies are added in the point's
-//         3x3": cross(hinge.I{1|2} * cross(hinge.r{1|2}, along), hinge.r{1|2}) ==>
-//         -cross(hinge.I{1|2} * cross(hinge.r{1|2}, along), hinge.r{1|2})
-// mistake "the sign of the turns: skew(r) I^-1 skew(r) lacks a transpose in the point's 3x3":
-//         cross(hinge.I1 * cross(hinge.r1, along), hinge.r1) ==> -cross(hinge.I1 * cross(hinge.r1,
-//         along), hinge.r1) ;; cross(hinge.I2 * cross(hinge.r2, along), hinge.r2) ==>
-//         -cross(hinge.I2 * cross(hinge.r2, along), hinge.r2)
-// mistake "r{2|1} with I{1|2}: r{1|2} belongs to it in the point's 3x3": cross(hinge.I{1|2} *
-//         cross(hinge.r{1|2}, along), hinge.r{1|2}) ==> cross(hinge.I{1|2} * cross(hinge.r{2|1},
-//         along), hinge.r{2|1})
+//         3x3": cross(hinge.I{1|2} ==> -cross(hinge.I{1|2}
+// mistake "the sign of the turns: skew(r) I^-1 skew(r) lacks a transpose in the point's 3x3": cross
+//         ==> -cross ;; cross(hinge.I2 ==> -cross(hinge.I2
+// mistake "r{2|1} with I{1|2}: r{1|2} belongs to it in the point's 3x3": r{1|2}, along),
+//         hinge.r{1|2} ==> r{2|1}, along), hinge.r{2|1}
 // mistake "the levers, or the inverse inertias, are exchanged: r1 belongs to I1 in the point's
-//         3x3": cross(hinge.I1 * cross(hinge.r1, along), hinge.r1) ==> cross(hinge.I1 *
-//         cross(hinge.r2, along), hinge.r2) ;; cross(hinge.I2 * cross(hinge.r2, along), hinge.r2)
-//         ==> cross(hinge.I2 * cross(hinge.r1, along), hinge.r1)
-// mistake "I{2|1} with r{1|2}: I{1|2} belongs to it in the point's 3x3": cross(hinge.I{1|2} *
-//         cross(hinge.r{1|2}, along), hinge.r{1|2}) ==> cross(hinge.I{2|1} * cross(hinge.r{1|2},
-//         along), hinge.r{1|2})
+//         3x3": r1, along), hinge.r1 ==> r2, along), hinge.r2 ;; I2 * cross(hinge.r2, along),
+//         hinge.r2 ==> I2 * cross(hinge.r1, along), hinge.r1
+// mistake "I{2|1} with r{1|2}: I{1|2} belongs to it in the point's 3x3": I{1|2} ==> I{2|1}
 // mistake "r{2|1} as the outer lever of body {1|2}: r{1|2} stands on both sides in the point's
-//         3x3": cross(hinge.I{1|2} * cross(hinge.r{1|2}, along), hinge.r{1|2}) ==>
-//         cross(hinge.I{1|2} * cross(hinge.r{1|2}, along), hinge.r{2|1})
-// mistake "the outer levers are exchanged in the point's 3x3": cross(hinge.I1 * cross(hinge.r1,
-//         along), hinge.r1) ==> cross(hinge.I1 * cross(hinge.r1, along), hinge.r2) ;;
-//         cross(hinge.I2 * cross(hinge.r2, along), hinge.r2) ==> cross(hinge.I2 * cross(hinge.r2,
-//         along), hinge.r1)
+//         3x3": r{1|2}) ==> r{2|1})
+// mistake "the outer levers are exchanged in the point's 3x3": r1) ==> r2) ;; r2, along), hinge.r2
+//         ==> r2, along), hinge.r1
 // mistake "r{2|1} as the inner lever of body {1|2}: r{1|2} stands on both sides in the point's
-//         3x3": cross(hinge.I{1|2} * cross(hinge.r{1|2}, along), hinge.r{1|2}) ==>
-//         cross(hinge.I{1|2} * cross(hinge.r{2|1}, along), hinge.r{1|2})
-// mistake "the inner levers are exchanged in the point's 3x3": cross(hinge.I1 * cross(hinge.r1,
-//         along), hinge.r1) ==> cross(hinge.I1 * cross(hinge.r2, along), hinge.r1) ;;
-//         cross(hinge.I2 * cross(hinge.r2, along), hinge.r2) ==> cross(hinge.I2 * cross(hinge.r1,
-//         along), hinge.r2)
-// mistake "I{1|2} is missing in the point's 3x3": cross(hinge.I{1|2} * cross(hinge.r{1|2}, along),
-//         hinge.r{1|2}) ==> cross(cross(hinge.r{1|2}, along), hinge.r{1|2})
-// mistake "the inverse inertias are missing in the point's 3x3": cross(hinge.I1 * cross(hinge.r1,
-//         along), hinge.r1) ==> cross(cross(hinge.r1, along), hinge.r1) ;; cross(hinge.I2 *
-//         cross(hinge.r2, along), hinge.r2) ==> cross(cross(hinge.r2, along), hinge.r2)
+//         3x3": r{1|2} ==> r{2|1}
+// mistake "the inner levers are exchanged in the point's 3x3": r1 ==> r2 ;; r2, along), hinge.r2
+//         ==> r1, along), hinge.r2
+// mistake "I{1|2} is missing in the point's 3x3": hinge.I{1|2} * cross ==> cross
+// mistake "the inverse inertias are missing in the point's 3x3": hinge.I1 * cross ==> cross ;;
+//         hinge.I2 * cross ==> cross
 // mistake "the outer lever of body {1|2} is missing: (I (r x e)) x r in the point's 3x3":
 //         cross(hinge.I{1|2} * cross(hinge.r{1|2}, along), hinge.r{1|2}) ==> hinge.I{1|2} *
 //         cross(hinge.r{1|2}, along)
@@ -66,47 +47,37 @@
 //         cross(hinge.r1, along), hinge.r1) ==> hinge.I1 * cross(hinge.r1, along) ;; cross(hinge.I2
 //         * cross(hinge.r2, along), hinge.r2) ==> hinge.I2 * cross(hinge.r2, along)
 // mistake "the inner lever of body {1|2} is missing: (I (r x e)) x r in the point's 3x3":
-//         cross(hinge.I{1|2} * cross(hinge.r{1|2}, along), hinge.r{1|2}) ==> cross(hinge.I{1|2} *
-//         along, hinge.r{1|2})
-// mistake "the inner levers are missing: (I (r x e)) x r in the point's 3x3": cross(hinge.I1 *
-//         cross(hinge.r1, along), hinge.r1) ==> cross(hinge.I1 * along, hinge.r1) ;; cross(hinge.I2
-//         * cross(hinge.r2, along), hinge.r2) ==> cross(hinge.I2 * along, hinge.r2)
-// mistake "I{1|2} is applied last: (I (r x e)) x r in the point's 3x3": cross(hinge.I{1|2} *
-//         cross(hinge.r{1|2}, along), hinge.r{1|2}) ==> hinge.I{1|2} * cross(cross(hinge.r{1|2},
-//         along), hinge.r{1|2})
+//         cross(hinge.r{1|2}, along) ==> along
+// mistake "the inner levers are missing: (I (r x e)) x r in the point's 3x3": cross(hinge.r1,
+//         along) ==> along ;; cross(hinge.r2, along) ==> along
+// mistake "I{1|2} is applied last: (I (r x e)) x r in the point's 3x3": cross(hinge.I{1|2} * cross
+//         ==> hinge.I{1|2} * cross(cross
 // mistake "the inverse inertias are applied last: (I (r x e)) x r in the point's 3x3":
-//         cross(hinge.I1 * cross(hinge.r1, along), hinge.r1) ==> hinge.I1 * cross(cross(hinge.r1,
-//         along), hinge.r1) ;; cross(hinge.I2 * cross(hinge.r2, along), hinge.r2) ==> hinge.I2 *
-//         cross(cross(hinge.r2, along), hinge.r2)
+//         cross(hinge.I1 * cross ==> hinge.I1 * cross(cross ;; cross(hinge.I2 * cross ==> hinge.I2
+//         * cross(cross
 // mistake "the inverse masses are missing on the diagonal in the point's 3x3": K[j][j] +=
 //         inverse_mass1 + inverse_mass2; ==>
 // mistake "the inverse masses are added to all nine entries: they stand on the diagonal in the
-//         point's 3x3": K[j][j] += inverse_mass1 + inverse_mass2; ==> for (int i = 0; i < 3; ++i)
-//         K[i][j] += inverse_mass1 + inverse_mass2;
+//         point's 3x3": K[j ==> for (int i = 0; i < 3; ++i) K[i
 // mistake "the inverse masses are added to the first column: they stand on the diagonal in the
-//         point's 3x3": K[j][j] += inverse_mass1 + inverse_mass2; ==> ;; for (int j = 0; j < 2;
-//         ++j) ==> for (int i = 0; i < 3; ++i) K[i][0] += inverse_mass1 + inverse_mass2; for (int j
-//         = 0; j < 2; ++j)
+//         point's 3x3": K[j][j] += inverse_mass1 + inverse_mass2; ==> ;; j = 0; j < 2 ==> i = 0; i
+//         < 3; ++i) K[i][0] += inverse_mass1 + inverse_mass2; for (int j = 0; j < 2
 // mistake "the inverse masses are added to the first row: they stand on the diagonal in the point's
-//         3x3": K[j][j] += inverse_mass1 + inverse_mass2; ==> K[0][j] += inverse_mass1 +
-//         inverse_mass2;
+//         3x3": j][ ==> 0][
 // mistake "the entries below the diagonal are missing: the 3x3 is symmetric, both halves are needed
 //         in the point's 3x3": K[j][j] += inverse_mass1 + inverse_mass2; ==> K[j][j] +=
 //         inverse_mass1 + inverse_mass2; for (int i = j + 1; i < 3; ++i) K[i][j] = 0;
 // mistake "the inverse masses stand in two places of the diagonal: there are three in the point's
-//         3x3": K[j][j] += inverse_mass1 + inverse_mass2; ==> if (j < 2) K[j][j] += inverse_mass1 +
-//         inverse_mass2;
+//         3x3": K[j ==> if (j < 2) K[j
 // mistake "the inverse mass of body {1|2} is missing in the point's 3x3": K[j][j] += inverse_mass1
 //         + inverse_mass2; ==> K[j][j] += inverse_mass{2|1};
 // mistake "the inverse mass of body {1|2} is added twice in the place of both: they are added in
-//         the point's 3x3": K[j][j] += inverse_mass1 + inverse_mass2; ==> K[j][j] += 2 *
-//         inverse_mass{1|2};
+//         the point's 3x3": inverse_mass1 + inverse_mass2 ==> 2 * inverse_mass{1|2}
 // mistake "the sign of the inverse mass of body 2: both are added in the point's 3x3": K[j][j] +=
 //         inverse_mass1 + inverse_mass2; ==> K[j][j] += inverse_mass1 - inverse_mass2;
 // mistake "the sign of the inverse mass of body 1: both are added in the point's 3x3": K[j][j] +=
 //         inverse_mass1 + inverse_mass2; ==> K[j][j] += inverse_mass2 - inverse_mass1;
-// mistake "the sign of the inverse masses: they are added in the point's 3x3": K[j][j] +=
-//         inverse_mass1 + inverse_mass2; ==> K[j][j] -= inverse_mass1 + inverse_mass2;
+// mistake "the sign of the inverse masses: they are added in the point's 3x3": += ==> -=
 // mistake "the product of the inverse masses: they are added in the point's 3x3": K[j][j] +=
 //         inverse_mass1 + inverse_mass2; ==> K[j][j] += inverse_mass1 * inverse_mass2;
 // mistake "the mean of the inverse masses: they are added in the point's 3x3": K[j][j] +=
@@ -115,20 +86,15 @@
 //         point's 3x3": K[j][j] += inverse_mass1 + inverse_mass2; ==> K[j][j] += 1 / (1 /
 //         inverse_mass1 + 1 / inverse_mass2);
 // mistake "the masses: the arguments are the inverse masses, the arguments are 1/m already, add
-//         them in the point's 3x3": K[j][j] += inverse_mass1 + inverse_mass2; ==> K[j][j] += 1 /
-//         inverse_mass1 + 1 / inverse_mass2;
+//         them in the point's 3x3": inverse_mass1 + ==> 1 / inverse_mass1 + 1 /
 // mistake "one over the sum of the inverse masses: the arguments are 1/m already, add them in the
-//         point's 3x3": K[j][j] += inverse_mass1 + inverse_mass2; ==> K[j][j] += 1 / (inverse_mass1
-//         + inverse_mass2);
-// mistake "the turns of row C.{x|y|z} are missing in the point's 3x3": K[{0|1|2}][j] = gap.{x|y|z}
-//         ==> K[{0|1|2}][j] = 0
+//         point's 3x3": inverse_mass1 + inverse_mass2 ==> 1 / (inverse_mass1 + inverse_mass2)
+// mistake "the turns of row C.{x|y|z} are missing in the point's 3x3": gap.{x|y|z} ==> 0
 // mistake "row C.{y|z|z} has the turns of row C.{x|x|y} once more in the point's 3x3":
 //         K[{1|2|2}][j] = gap.{y|z|z} ==> K[{1|2|2}][j] = gap.{x|x|y}
-// mistake "the last column is not written yet in the point's 3x3": for (int j = 0; j < 3; ++j) ==>
-//         for (int j = 0; j < 2; ++j)
-// mistake "only its diagonal is there in the point's 3x3": K[j][j] += inverse_mass1 +
-//         inverse_mass2; ==> K[j][j] += inverse_mass1 + inverse_mass2; for (int i = 0; i < 3; ++i)
-//         if (i != j) K[i][j] = 0;
+// mistake "the last column is not written yet in the point's 3x3": 3 ==> 2
+// mistake "only its diagonal is there in the point's 3x3": inverse_mass2 ==> inverse_mass2; for
+//         (int i = 0; i < 3; ++i) if (i != j) K[i][j] = 0
 // mistake "it is not written yet in the point's 3x3": K[j][j] += inverse_mass1 + inverse_mass2; ==>
 //         for (int i = 0; i < 3; ++i) K[i][j] = 0;
 // mistake "body {1|2} is missing in the part between the point and the axis": cross(hinge.r1, w1) +
@@ -143,13 +109,11 @@
 //         cross(hinge.r2, w2)}
 // mistake "r{2|1} with I{1|2}: r{1|2} belongs to it, between the point and the axis":
 //         cross(hinge.r{1|2}, w{1|2}) ==> cross(hinge.r{2|1}, w{1|2})
-// mistake "the levers, or the inverse inertias, are exchanged between the point and the axis":
-//         cross(hinge.r1, w1) ==> cross(hinge.r2, w1) ;; cross(hinge.r2, w2) ==> cross(hinge.r1,
-//         w2)
+// mistake "the levers, or the inverse inertias, are exchanged between the point and the axis": r1,
+//         w1 ==> r2, w1 ;; r2, w2 ==> r1, w2
 // mistake "I{2|1} with r{1|2}: I{1|2} belongs to it, between the point and the axis":
 //         cross(hinge.r{1|2}, w{1|2}) ==> cross(hinge.r{1|2}, w{2|1})
-// mistake "I{1|2} is missing between the point and the axis": cross(hinge.r{1|2}, w{1|2}) ==>
-//         cross(hinge.r{1|2}, row[j])
+// mistake "I{1|2} is missing between the point and the axis": w{1|2}) ==> row[j])
 // mistake "the inverse inertias are missing between the point and the axis": cross(hinge.r1, w1)
 //         ==> cross(hinge.r1, row[j]) ;; cross(hinge.r2, w2) ==> cross(hinge.r2, row[j])
 // mistake "the lever of body {1|2} is missing between the point and the axis": cross(hinge.r{1|2},
@@ -163,27 +127,22 @@
 //         cross(hinge.r2, w2) ==> hinge.I2 * cross(hinge.r2, row[j])
 // mistake "the first axis row twice for body {1|2} between the point and the axis":
 //         cross(hinge.r{1|2}, w{1|2}) ==> cross(hinge.r{1|2}, hinge.I{1|2} * row[0])
-// mistake "the first axis row twice between the point and the axis": cross(hinge.r1, w1) ==>
-//         cross(hinge.r1, hinge.I1 * row[0]) ;; cross(hinge.r2, w2) ==> cross(hinge.r2, hinge.I2 *
-//         row[0])
+// mistake "the first axis row twice between the point and the axis": w1) ==> hinge.I1 * row[0]) ;;
+//         w2) ==> hinge.I2 * row[0])
 // mistake "the second axis row twice for body {1|2} between the point and the axis":
 //         cross(hinge.r{1|2}, w{1|2}) ==> cross(hinge.r{1|2}, hinge.I{1|2} * row[1])
-// mistake "the second axis row twice between the point and the axis": cross(hinge.r1, w1) ==>
-//         cross(hinge.r1, hinge.I1 * row[1]) ;; cross(hinge.r2, w2) ==> cross(hinge.r2, hinge.I2 *
-//         row[1])
+// mistake "the second axis row twice between the point and the axis": w1) ==> hinge.I1 * row[1]) ;;
+//         w2) ==> hinge.I2 * row[1])
 // mistake "the two axis rows are exchanged for body {1|2} between the point and the axis":
 //         cross(hinge.r{1|2}, w{1|2}) ==> cross(hinge.r{1|2}, hinge.I{1|2} * row[1 - j])
-// mistake "the columns of the two axis rows are exchanged between the point and the axis":
-//         cross(hinge.r1, w1) ==> cross(hinge.r1, hinge.I1 * row[1 - j]) ;; cross(hinge.r2, w2) ==>
-//         cross(hinge.r2, hinge.I2 * row[1 - j])
+// mistake "the columns of the two axis rows are exchanged between the point and the axis": w1) ==>
+//         hinge.I1 * row[1 - j]) ;; w2) ==> hinge.I2 * row[1 - j])
 // mistake "the columns beside the point are not mirrored: they stand below it once more, as rows,
-//         between the point and the axis": K[0][3 + j] = K[3 + j][0] = -gap.x; K[1][3 + j] = K[3 +
-//         j][1] = -gap.y; K[2][3 + j] = K[3 + j][2] = -gap.z; ==> K[0][3 + j] = -gap.x; K[1][3 + j]
-//         = -gap.y; K[2][3 + j] = -gap.z;
+//         between the point and the axis": K[3 + j][0] = -gap.x; K[1][3 + j] = K[3 + j][1] =
+//         -gap.y; K[2][3 + j] = K[3 + j][2 ==> -gap.x; K[1][3 + j] = -gap.y; K[2][3 + j
 // mistake "the rows below the point are not mirrored: they stand beside it once more, as columns,
-//         between the point and the axis": K[0][3 + j] = K[3 + j][0] = -gap.x; K[1][3 + j] = K[3 +
-//         j][1] = -gap.y; K[2][3 + j] = K[3 + j][2] = -gap.z; ==> K[3 + j][0] = -gap.x; K[3 + j][1]
-//         = -gap.y; K[3 + j][2] = -gap.z;
+//         between the point and the axis": 0][3 + j] = K[3 + j][0] = -gap.x; K[1][3 + j] = K[3 +
+//         j][1] = -gap.y; K[2][3 + j] = ==> 3 + j][0] = -gap.x; K[3 + j][1] = -gap.y;
 // mistake "mirrored with the other sign: K is symmetric, between the point and the axis": K[0][3 +
 //         j] = K[3 + j][0] = -gap.x; K[1][3 + j] = K[3 + j][1] = -gap.y; K[2][3 + j] = K[3 + j][2]
 //         = -gap.z; ==> K[3 + j][0] = gap.x; K[0][3 + j] = -gap.x; K[3 + j][1] = gap.y; K[1][3 + j]
@@ -194,13 +153,11 @@
 //         K[0][3 + j] = gap.x; K[3 + j][1] = -gap.y; K[1][3 + j] = gap.y; K[3 + j][2] = -gap.z;
 //         K[2][3 + j] = gap.z;
 // mistake "the {second|first} column is missing: there are two axis rows, between the point and the
-//         axis": K[0][3 + j] = K[3 + j][0] = -gap.x; K[1][3 + j] = K[3 + j][1] = -gap.y; K[2][3 +
-//         j] = K[3 + j][2] = -gap.z; ==> K[0][3 + j] = K[3 + j][0] = j == {0|1} ? -gap.x : real(0);
-//         K[1][3 + j] = K[3 + j][1] = j == {0|1} ? -gap.y : real(0); K[2][3 + j] = K[3 + j][2] = j
-//         == {0|1} ? -gap.z : real(0);
+//         axis": -gap.x; K[1][3 + j] = K[3 + j][1] = -gap.y; K[2][3 + j] = K[3 + j][2] = -gap.z ==>
+//         j == {0|1} ? -gap.x : real(0); K[1][3 + j] = K[3 + j][1] = j == {0|1} ? -gap.y : real(0);
+//         K[2][3 + j] = K[3 + j][2] = j == {0|1} ? -gap.z : real(0)
 // mistake "the levers, or the inertias, are added up first: each lever goes with its own, between
-//         the point and the axis": cross(hinge.r1, w1) + cross(hinge.r2, w2) ==> cross(hinge.r1 +
-//         hinge.r2, w1 + w2)
+//         the point and the axis": r1, w1) + cross(hinge.r2, ==> r1 + hinge.r2, w1 +
 // mistake "row C.{x|y|z} has the other sign between the point and the axis": = -gap.{x|y|z} ==> =
 //         gap.{x|y|z}
 // mistake "row C.{x|y|z} is missing between the point and the axis": K[{0|1|2}][3 + j] = K[3 +
@@ -211,10 +168,8 @@
 // mistake "the sign of body {1|2}: the terms of both bodies are added in the axis' 2x2":
 //         dot(row[i], w1 + w2) ==> dot(row[i], w{2|1} - w{1|2})
 // mistake "the sign in the axis' 2x2": dot(row[i], w1 + w2) ==> -dot(row[i], w1 + w2)
-// mistake "I{2|1} in the place of I{1|2} in the axis' 2x2": dot(row[i], w1 + w2) ==> dot(row[i],
-//         w{2|1} + w{2|1})
-// mistake "I{1|2} is missing in the axis' 2x2": dot(row[i], w1 + w2) ==> dot(row[i], w{2|1} +
-//         row[j])
+// mistake "I{2|1} in the place of I{1|2} in the axis' 2x2": w1 + w2 ==> w{2|1} + w{2|1}
+// mistake "I{1|2} is missing in the axis' 2x2": w1 + w2 ==> w{2|1} + row[j]
 // mistake "the inverse inertias are missing in the axis' 2x2": dot(row[i], w1 + w2) ==> 2 *
 //         dot(row[i], row[j])
 // mistake "the inverse inertias are missing, and so is one of the bodies in the axis' 2x2":
@@ -225,11 +180,9 @@
 //         * row[1 - j] + hinge.I2 * row[1 - j])
 // mistake "I of the {first|second} axis row in both columns in the axis' 2x2": dot(row[i], w1 + w2)
 //         ==> dot(row[i], hinge.I1 * row[{0|1}] + hinge.I2 * row[{0|1}])
-// mistake "body {1|2} is added twice in the axis' 2x2": dot(row[i], w1 + w2) ==> dot(row[i], w1 +
-//         w2 + w{1|2})
-// mistake "the inverse masses are added: these rows turn and do not push, in the axis' 2x2":
-//         dot(row[i], w1 + w2) ==> dot(row[i], w1 + w2) + (i == j ? inverse_mass1 + inverse_mass2 :
-//         real(0))
+// mistake "body {1|2} is added twice in the axis' 2x2": + w2 ==> + w2 + w{1|2}
+// mistake "the inverse masses are added: these rows turn and do not push, in the axis' 2x2": + w2
+//         ==> + w2) + (i == j ? inverse_mass1 + inverse_mass2 : real(0)
 // mistake "the entries beside the diagonal are missing: its rows change each other's rates, in the
 //         axis' 2x2": dot(row[i], w1 + w2) ==> i == j ? dot(row[i], w1 + w2) : real(0)
 // mistake "it is filled on one side of its diagonal only: K is symmetric, in the axis' 2x2":
@@ -247,18 +200,15 @@
 // mistake "the axis rows are exchanged in the axis' 2x2": dot(row[i], w1 + w2) ==> dot(row[1 - i],
 //         hinge.I1 * row[1 - j] + hinge.I2 * row[1 - j])
 // mistake "body {1|2} is missing": + inverse_mass2 ==> ;; inverse_mass1 ==> inverse_mass{2|1} ;; w1
-//         + w2 ==> w{2|1} ;; cross(hinge.r1, w1) + cross(hinge.r2, w2) ==> cross(hinge.r{2|1},
-//         w{2|1}) ;; cross(hinge.I1 * cross(hinge.r1, along), hinge.r1) + cross(hinge.I2 *
-//         cross(hinge.r2, along), hinge.r2) ==> cross(hinge.I{2|1} * cross(hinge.r{2|1}, along),
-//         hinge.r{2|1})
+//         + w2 ==> w{2|1} ;; r1, w1) + cross(hinge.r2, w2 ==> r{2|1}, w{2|1} ;; I1 *
+//         cross(hinge.r1, along), hinge.r1) + cross(hinge.I2 * cross(hinge.r2, along), hinge.r2 ==>
+//         I{2|1} * cross(hinge.r{2|1}, along), hinge.r{2|1}
 // mistake "the second row takes the first axis row again": row[j] ==> row[0] ;; row[j] ==> row[0]
 //         ;; row[i] ==> row[0]
 // mistake "I{1|2} is taken for both bodies": I{2|1} ==> I{1|2} ;; I{2|1} ==> I{1|2}
-// mistake "r{1|2} is taken for both bodies": cross(hinge.I2 * cross(hinge.r2, along), hinge.r2) ==>
-//         cross(hinge.I2 * cross(hinge.r{1|2}, along), hinge.r{1|2}) ;; cross(hinge.I1 *
-//         cross(hinge.r1, along), hinge.r1) ==> cross(hinge.I1 * cross(hinge.r{1|2}, along),
-//         hinge.r{1|2}) ;; cross(hinge.r1, w1) + cross(hinge.r2, w2) ==> cross(hinge.r{1|2}, w1 +
-//         w2)
+// mistake "r{1|2} is taken for both bodies": r2, along), hinge.r2 ==> r{1|2}, along), hinge.r{1|2}
+//         ;; r1, along), hinge.r1 ==> r{1|2}, along), hinge.r{1|2} ;; r1, w1) + cross(hinge.r2, ==>
+//         r{1|2}, w1 +
 // mistake "the levers are missing": cross(hinge.I1 * cross(hinge.r1, along), hinge.r1) +
 //         cross(hinge.I2 * cross(hinge.r2, along), hinge.r2) ==> real(0) * along ;; -gap.x ==> 0 ;;
 //         -gap.y ==> 0 ;; -gap.z ==> 0
@@ -337,8 +287,7 @@
 // mistake "the inverse of K: compute K itself, the loop inverts it": at); } ==> at); }
 //         invert_symmetric(K[0].data(), 5);
 // mistake "the levers, or the inverse inertias, are exchanged: r1 and I1 belong to body 1": r2, w2
-//         ==> r1, w2 ;; r1, w1 ==> r2, w1 ;; , hinge.r2 ==> , hinge.r1 ;; r2 ==> r1 ;; , hinge.r1
-//         ==> , hinge.r2 ;; r1 ==> r2
+//         ==> r1, w2 ;; r1, w1 ==> r2, w1 ;; r2 ==> r1 ;; r2 ==> r1 ;; r1 ==> r2 ;; r1 ==> r2
 // wrong "the sign of the turns: skew(r) I^-1 skew(r) lacks a transpose in the point's 3x3; and the sign of the part between the point and the axis":
 //         -dot ==> dot ;; dot ==> -dot
 // wrong units "the part of K between point and axis is in 1/(kg m^2) and should be in 1/(kg m)":

@@ -30,8 +30,7 @@
   return colours;
 // mistake "only body 2 of a joint is tested: the colour must be free at both": is_taken(link.body1)
 //         || ==>
-// mistake "the colour is stored for body 1 of a joint only: it is taken at both": body1, link.body2
-//         ==> body1
+// mistake "the colour is stored for body 1 of a joint only: it is taken at both": , link.body2 ==>
 // mistake "all have one colour: a joint must not have that of another one at the same body. Is
 //         nothing stored, or is `moves` inverted where it is used?": = true ==> = false
 // mistake "all have one colour: a joint must not have that of another one at the same body. Is
@@ -201,8 +200,7 @@
   return colours;
 // from right again from the first where a neighbour has it
 // mistake "body 1 is compared with the bodies 1 of other joints, body 2 with their bodies 2: a body
-//         may be either": a.body1 == b.body1 || a.body1 == b.body2 ==> a.body1 == b.body1 ;;
-//         a.body2 == b.body1 || a.body2 == b.body2 ==> a.body2 == b.body2
+//         may be either": body1 || a.body1 == b.body2 ==> body1 ;; body1 || a.body2 == b. ==>
 // from right a table that is wide enough
 // wrong "an index outside a vector": moves ==> links ;; + 1 ==> ;; int colour ==> std::size_t
 //         colour ;; taken[link.body1][colour] = taken[link.body2] ==> for (int body : {link.body1,

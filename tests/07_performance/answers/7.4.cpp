@@ -12,16 +12,13 @@
 //         array": const Number e[] ==> Number e[] ;; hinge.inverse_K_times(e, back); ==>
 //         hinge.inverse_K_times(e, e); for (int i = 0; i < 5; ++i) back[i] = e[i];
 // wrong "an index outside a vector or an array": [1]; ==> [2];
-// mistake "v1, w1, v2 and w2 take a new value where it is added to the old one: += and not =":
-//         body1.v = body1.v - ==> body1.v = - ;; body1.w - hinge.I1 * (cross(hinge.r1, push) +
-//         couple) ==> -(hinge.I1 * (cross(hinge.r1, push) + couple)) ;; body2.v = body2.v + ==>
-//         body2.v = ;; body2.w = body2.w + ==> body2.w =
+// mistake "v1, w1, v2 and w2 take a new value where it is added to the old one: += and not =": =
+//         body1.v ==> = ;; body1.w - hinge.I1 * (cross(hinge.r1, push) + couple ==> -(hinge.I1 *
+//         (cross(hinge.r1, push) + couple) ;; = body2.v + ==> = ;; body2.w + ==>
 // mistake "both bodies are pushed the same way: body 1 gets the opposite of the impulse of body 2":
 //         v - body1 ==> v + body1 ;; - hinge ==> + hinge
-// mistake "T is not multiplied by I1 and I2: I (r x P + T), with brackets": hinge.I1 *
-//         (cross(hinge.r1, push) + couple) ==> (hinge.I1 * cross(hinge.r1, push) + couple) ;;
-//         hinge.I2 * (cross(hinge.r2, push) + couple) ==> (hinge.I2 * cross(hinge.r2, push) +
-//         couple)
+// mistake "T is not multiplied by I1 and I2: I (r x P + T), with brackets": hinge.I1 * (cross ==>
+//         (hinge.I1 * cross ;; hinge.I2 * (cross ==> (hinge.I2 * cross
 // expects: from w2
 // wrong division-by-zero: body1.v = body1.v - body1.inverse_mass * push ==> const auto less =
 //         [&](const Number& v, const Number& push) { if constexpr (requires { v.all; }) return
@@ -84,54 +81,43 @@
 //         cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1) ==> body2.v - body1.v
 // mistake "v1 and v2 are missing in the gap's rate": body2.v + cross(body2.w, hinge.r2) - body1.v -
 //         cross(body1.w, hinge.r1) ==> cross(body2.w, hinge.r2) - cross(body1.w, hinge.r1)
-// mistake "r x w in the place of w x r in the gap's rate": body2.v + cross(body2.w, hinge.r2) -
-//         body1.v - cross(body1.w, hinge.r1) ==> body2.v + cross(hinge.r2, body2.w) - body1.v -
-//         cross(hinge.r1, body1.w)
-// mistake "r{2|1} in the place of r{1|2} in the gap's rate": body2.v + cross(body2.w, hinge.r2) -
-//         body1.v - cross(body1.w, hinge.r1) ==> body2.v + cross(body2.w, hinge.r{2|1}) - body1.v -
-//         cross(body1.w, hinge.r{2|1})
-// mistake "w{2|1} in the place of w{1|2} in the gap's rate": body2.v + cross(body2.w, hinge.r2) -
-//         body1.v - cross(body1.w, hinge.r1) ==> body2.v + cross(body{2|1}.w, hinge.r2) - body1.v -
-//         cross(body{2|1}.w, hinge.r1)
+// mistake "r x w in the place of w x r in the gap's rate": body2.w, hinge.r2) - body1.v -
+//         cross(body1.w, hinge.r1 ==> hinge.r2, body2.w) - body1.v - cross(hinge.r1, body1.w
+// mistake "r{2|1} in the place of r{1|2} in the gap's rate": r2) - body1.v - cross(body1.w,
+//         hinge.r1 ==> r{2|1}) - body1.v - cross(body1.w, hinge.r{2|1}
+// mistake "w{2|1} in the place of w{1|2} in the gap's rate": body2.w, hinge.r2) - body1.v -
+//         cross(body1 ==> body{2|1}.w, hinge.r2) - body1.v - cross(body{2|1}
 // mistake "w1 and w2 are exchanged in e": cross(body2.w, ==> cross(body1.w, ;; cross(body1.w,
 //         hinge.r1) ==> cross(body2.w, hinge.r1) ;; body2.w - body1.w ==> body1.w - body2.w
-// mistake "r{1|2} is taken for both bodies": hinge.r{2|1} ==> hinge.r{1|2} ;; hinge.r{2|1} ==>
-//         hinge.r{1|2}
+// mistake "r{1|2} is taken for both bodies": r{2|1} ==> r{1|2} ;; r{2|1} ==> r{1|2}
 // mistake "w1 is missing in the axis rows: a_j . (w2 - w1)": body2.w - body1.w ==> body2.w
 // mistake "w2 is missing in the axis rows: a_j . (w2 - w1)": body2.w - body1.w ==> -body1.w
 // mistake "the sign in the axis rows: a_j . (w2 - w1)": body2.w - body1.w ==> body1.w - body2.w
 // mistake "w1 + w2 in the axis rows: a_j . (w2 - w1)": body2.w - body1.w ==> body2.w + body1.w
-// mistake "v in the place of w in the axis rows: a_j . (w2 - w1)": body2.w - body1.w ==> body2.v -
-//         body1.v
+// mistake "v in the place of w in the axis rows: a_j . (w2 - w1)": w - body1.w ==> v - body1.v
 // mistake "v in the place of w in the {first|second} axis row: a_{1|2} . (w2 - w1)":
 //         hinge.axis_row[{0|1}], turning ==> hinge.axis_row[{0|1}], body2.v - body1.v
 // mistake "{w1|w2} is doubled in the axis rows of e": body2.w - body1.w ==> {body2.w - body1.w -
 //         body1.w|body2.w + body2.w - body1.w}
 // mistake "the axis rows are exchanged in e": [0], turning ==> [1], turning ;; [4] +
 //         dot(hinge.axis_row[1] ==> [4] + dot(hinge.axis_row[0]
-// mistake "the first axis row twice in e": [4] + dot(hinge.axis_row[1] ==> [4] +
-//         dot(hinge.axis_row[0]
-// mistake "the second axis row twice in e": [3] + dot(hinge.axis_row[0] ==> [3] +
-//         dot(hinge.axis_row[1]
+// mistake "the first axis row twice in e": axis_row[1 ==> axis_row[0
+// mistake "the second axis row twice in e": axis_row[0 ==> axis_row[1
 // mistake "the axis rows are exchanged in the turn T": hinge.axis_row[0] - back[4] *
 //         hinge.axis_row[1] ==> hinge.axis_row[1] - back[4] * hinge.axis_row[0]
-// mistake "the first axis row twice in the turn T": back[4] * hinge.axis_row[1] ==> back[4] *
-//         hinge.axis_row[0]
+// mistake "the first axis row twice in the turn T": * hinge.axis_row[1 ==> * hinge.axis_row[0
 // mistake "body {1|2} is missing in e: the rates are of body 2 less those of body 1": body2.v +
 //         cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1) ==> {body2.v +
 //         cross(body2.w, hinge.r2)|-body1.v - cross(body1.w, hinge.r1)} ;; body2.w - body1.w ==>
 //         {body2.w|-body1.w}
 // mistake "the velocities of body 1 are added in e: the rates are of body 2 less those of body 1":
-//         body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1) ==> body2.v +
-//         cross(body2.w, hinge.r2) + body1.v + cross(body1.w, hinge.r1) ;; body2.w - body1.w ==>
-//         body2.w + body1.w
+//         - body1.v - ==> + body1.v + ;; - ==> +
 // mistake "the sign of J V: e = bias + J V, and C grows when body 2 moves positively": body2.v +
 //         cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1) ==> -(body2.v +
 //         cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1)) ;; body2.w - body1.w ==>
 //         body1.w - body2.w
-// mistake "the velocities are forgotten: e = bias + J V": body2.v + cross(body2.w, hinge.r2) -
-//         body1.v - cross(body1.w, hinge.r1) ==> body2.v - body2.v ;; body2.w - body1.w ==> body2.w
-//         - body2.w
+// mistake "the velocities are forgotten: e = bias + J V": + cross(body2.w, hinge.r2) - body1.v -
+//         cross(body1.w, hinge.r1) ==> - body2.v ;; body1 ==> body2
 // mistake "the bias of the axis is forgotten": hinge.bias[3] + ==> ;; hinge.bias[4] + ==>
 // mistake "the bias of the point is forgotten": hinge.bias[0] + ==> ;; hinge.bias[1] + ==> ;;
 //         hinge.bias[2] + ==>
@@ -145,18 +131,15 @@
 //         -hinge.bias[{0|1|2|3|4}] +
 // mistake "e[{0|1|2|3|4}] is zero": const Number e[] ==> Number e[] ;; hinge.inverse_K_times ==>
 //         e[{0|1|2|3|4}] = Number{}; hinge.inverse_K_times
-// mistake "lambda[{0|1|2|3|4}] is zero": hinge.inverse_K_times(e, back); ==>
-//         hinge.inverse_K_times(e, back); back[{0|1|2|3|4}] = Number{};
+// mistake "lambda[{0|1|2|3|4}] is zero": back) ==> back); back[{0|1|2|3|4}] = Number{}
 // mistake "the sign of lambda[{0|1|2|3|4}]": hinge.inverse_K_times(e, back); ==>
 //         hinge.inverse_K_times(e, back); back[{0|1|2|3|4}] = -back[{0|1|2|3|4}];
 // mistake "bias[{0|0|1|3|2|1|2|2|4|3}] in e[{1|2|2|4|3|0|0|1|3|2}]: it belongs to
-//         e[{0|0|1|3|2|1|2|2|4|3}]": hinge.bias[{1|2|2|4|3|0|0|1|3|2}] + ==>
-//         hinge.bias[{0|0|1|3|2|1|2|2|4|3}] +
+//         e[{0|0|1|3|2|1|2|2|4|3}]": {1|2|2|4|3|0|0|1|3|2}] ==> {0|0|1|3|2|1|2|2|4|3}]
 // mistake "lambda[{0|0|1|2}] and lambda[{1|2|2|3}] are exchanged": hinge.inverse_K_times(e,
 //         back); ==> hinge.inverse_K_times(e, back); std::swap(back[{0|0|1|2}], back[{1|2|2|3}]);
-// mistake "lambda[{0|0|1|3|2|1|2|2|4|3}] in the place of lambda[{1|2|2|4|3|0|0|1|3|2}]":
-//         hinge.inverse_K_times(e, back); ==> hinge.inverse_K_times(e, back);
-//         back[{1|2|2|4|3|0|0|1|3|2}] = back[{0|0|1|3|2|1|2|2|4|3}];
+// mistake "lambda[{0|0|1|3|2|1|2|2|4|3}] in the place of lambda[{1|2|2|4|3|0|0|1|3|2}]": back) ==>
+//         back); back[{1|2|2|4|3|0|0|1|3|2}] = back[{0|0|1|3|2|1|2|2|4|3}]
 // mistake "the rate of e[{0|0|1|1|2|2}] stands in e[{1|2|0|2|0|1}], too": + gap.{y|z|x|z|x|y} ==> +
 //         gap.{x|x|y|y|z|z}
 // mistake "the turn begins with lambda[{0|2}]: it is made of lambda[3] and lambda[4]": -back[3] *
@@ -172,8 +155,7 @@
 //         real(2) * body1|+ real(0.5) * body2}.inverse_mass
 // mistake "the change of {v2|v1} is {doubled|halved}": {+ body2|- body1}.inverse_mass ==> {+
 //         real(2) * body2|- real(0.5) * body1}.inverse_mass
-// mistake "the change of {w1|w2} is doubled": cross(hinge.r{1|2}, push) + couple ==>
-//         cross(hinge.r{1|2}, push + push) + couple + couple
+// mistake "the change of {w1|w2} is doubled": r{1|2}, push) ==> r{1|2}, push + push) + couple
 // mistake "{v1|w1|v2|w2} takes a new value where it is added to the old one: += and not =":
 //         {body1.v = body1.v - body1.inverse_mass * push;|body1.w = body1.w - hinge.I1 *
 //         (cross(hinge.r1, push) + couple);|body2.v = body2.v + body2.inverse_mass * push;|body2.w
@@ -187,8 +169,7 @@
 //         body{2|1}.inverse_mass
 // mistake "the inverse masses are missing: v1 -= P/m1": body1.inverse_mass *  ==>  ;;
 //         body2.inverse_mass *  ==>
-// mistake "the inverse inertias are exchanged: I1 belongs to body 1": hinge.I2 ==> hinge.I1 ;;
-//         hinge.I1 ==> hinge.I2
+// mistake "the inverse inertias are exchanged: I1 belongs to body 1": I2 ==> I1 ;; I1 ==> I2
 // mistake "the inverse masses are exchanged": body1.inverse_mass ==> body2.inverse_mass ;; +
 //         body2.inverse_mass ==> + body1.inverse_mass
 // mistake "w1 and w2 are never changed": body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) +
@@ -201,37 +182,28 @@
 //         ==> + back[4]
 // mistake "P x r in the place of r x P": cross(hinge.r1, push) ==> cross(push, hinge.r1) ;;
 //         cross(hinge.r2, push) ==> cross(push, hinge.r2)
-// mistake "r x w and P x r: w x r in the gap's rate, r x P in the effect of the push":
-//         cross(hinge.r1, push) ==> cross(push, hinge.r1) ;; cross(hinge.r2, push) ==> cross(push,
-//         hinge.r2) ;; cross(body2.w, hinge.r2) ==> cross(hinge.r2, body2.w) ;; cross(body1.w,
-//         hinge.r1) ==> cross(hinge.r1, body1.w)
+// mistake "r x w and P x r: w x r in the gap's rate, r x P in the effect of the push": hinge.r1,
+//         push ==> push, hinge.r1 ;; hinge.r2, push ==> push, hinge.r2 ;; body2.w, hinge.r2 ==>
+//         hinge.r2, body2.w ;; body1.w, hinge.r1 ==> hinge.r1, body1.w
 // mistake "the levers are exchanged in the gap's rate: r1 belongs to w1": cross(body2.w, hinge.r2)
 //         ==> cross(body2.w, hinge.r1) ;; cross(body1.w, hinge.r1) ==> cross(body1.w, hinge.r2)
 // mistake "it acts on body 1 only: body 2 gets the opposite": body2.v = body2.v +
 //         body2.inverse_mass * push; body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) +
 //         couple); ==>
-// mistake "the sign of the change of w1 and w2": body1.w - hinge ==> body1.w + hinge ;; body2.w +
-//         hinge ==> body2.w - hinge
-// mistake "the sign of the change of v1 and v2": body1.v - body1 ==> body1.v + body1 ;; body2.v +
-//         body2 ==> body2.v - body2
+// mistake "the sign of the change of w1 and w2": - hinge ==> + hinge ;; body2.w + ==> body2.w -
+// mistake "the sign of the change of v1 and v2": v - body1 ==> v + body1 ;; + body2 ==> - body2
 // mistake "r{1|2} x P is missing in the line of w{1|2}": cross(hinge.r{1|2}, push) + couple ==>
 //         couple
-// mistake "the sign of r{1|2} x P in the line of w{1|2}": cross(hinge.r{1|2}, push) ==> cross(push,
-//         hinge.r{1|2})
+// mistake "the sign of r{1|2} x P in the line of w{1|2}": hinge.r{1|2}, push ==> push, hinge.r{1|2}
 // mistake "r{1|2} x P is doubled in the line of w{1|2}": cross(hinge.r{1|2}, push) ==>
 //         cross(hinge.r{1|2}, push) + cross(hinge.r{1|2}, push)
-// mistake "T is missing in the line of w{1|2}": cross(hinge.r{1|2}, push) + couple ==>
-//         cross(hinge.r{1|2}, push)
-// mistake "the sign of T in the line of w{1|2}": cross(hinge.r{1|2}, push) + couple ==>
-//         cross(hinge.r{1|2}, push) - couple
-// mistake "T is doubled in the line of w{1|2}": cross(hinge.r{1|2}, push) + couple ==>
-//         cross(hinge.r{1|2}, push) + couple + couple
-// mistake "r{2|1} in the place of r{1|2} in w{1|2}": cross(hinge.r{1|2}, push) ==>
-//         cross(hinge.r{2|1}, push)
+// mistake "T is missing in the line of w{1|2}": r{1|2}, push) + couple ==> r{1|2}, push)
+// mistake "the sign of T in the line of w{1|2}": r{1|2}, push) + ==> r{1|2}, push) -
+// mistake "T is doubled in the line of w{1|2}": r{1|2}, push) ==> r{1|2}, push) + couple
+// mistake "r{2|1} in the place of r{1|2} in w{1|2}": r{1|2}, ==> r{2|1},
 // mistake "P in the place of r{1|2} x P in w{1|2}": cross(hinge.r{1|2}, push) ==> push
-// mistake "T is not multiplied by I{1|2}: I (r x P + T), with brackets": hinge.I{1|2} *
-//         (cross(hinge.r{1|2}, push) + couple) ==> (hinge.I{1|2} * cross(hinge.r{1|2}, push) +
-//         couple)
+// mistake "T is not multiplied by I{1|2}: I (r x P + T), with brackets": hinge.I{1|2} * (cross ==>
+//         (hinge.I{1|2} * cross
 // mistake "T is not multiplied by I1, and has the other sign: I (r x P + T), with brackets":
 //         hinge.I1 * (cross(hinge.r1, push) + couple) ==> hinge.I1 * cross(hinge.r1, push) + couple
 // mistake "T is not multiplied by I1, and has the other sign: I (r x P + T), with brackets; and T

@@ -12,8 +12,7 @@
 // mistake "the inverse inertia is missing: how much does w of the body change?": mass.angular * ==>
 // mistake "divided by the inverse mass: a heavy body changes its velocity less": mass.linear *
 //         other[j].v ==> other[j].v / mass.linear
-// mistake "the inverse mass is there twice: J M^-1 J^T has it once": mass.linear * ==> mass.linear
-//         * mass.linear *
+// mistake "the inverse mass is there twice: J M^-1 J^T has it once": * ==> * mass.linear *
 // mistake "the inverse mass in the place of the inverse inertia: turning is opposed by the
 //         inertia": mass.angular ==> mass.linear
 // mistake "the inverse mass multiplies the angular part as well: it belongs to v alone": dot(J[i].w
@@ -47,9 +46,8 @@
 // mistake "the sign of the angular part: both are added": + dot ==> - dot
 // mistake "i and j are exchanged at J and the response: row i is of J, column j of the other
 //         block's response": const HalfRow response{mass.linear * other[j].v, mass.angular *
-//         other[j].w}; ==> ;; A[ ==> { const HalfRow response{mass.linear * other[i].v,
-//         mass.angular * other[i].w}; A[ ;; J[i] ==> J[j] ;; J[i] ==> J[j] ;; response.w); ==>
-//         response.w); }
+//         other[j].w}; ==> ;; A ==> { const HalfRow response{mass.linear * other[i].v, mass.angular
+//         * other[i].w}; A ;; J[i ==> J[j ;; J[i ==> J[j ;; ); ==> ); }
 // mistake "J with itself: the impulse acts along a row of the other block": other ==> J ;;
 //         mass.linear * ==> ;; mass.angular * ==> ;; other ==> J
 // mistake "the angular product is of J[i].w and J[j].w: of J[i].w and M^-1 other[j].w": response.w
@@ -65,8 +63,7 @@
 //         <= i) A[i
 // mistake "j runs to n: the second block has m rows": j < m ==> j < n
 // mistake "i runs to m: the first block has n rows": i < n ==> i < m
-// mistake "n and m are exchanged in the loops: i runs to n, j to m": i < n ==> i < m ;; j < m ==> j
-//         < n
+// mistake "n and m are exchanged in the loops: i runs to n, j to m": < n ==> < m ;; m ==> n
 // mistake "the last row is left out: i < n": i < n ==> i < n - 1
 // mistake "one row too many: i < n": i < n ==> i <= n
 // mistake "one column too many: j < m": j < m ==> j <= m
@@ -85,9 +82,8 @@
 // mistake "nothing is added: A[i * m + j] += the product":
   (void)J, (void)n, (void)other, (void)m, (void)mass, (void)A;
 // mistake "A[i, j] is A[j] in C++: A[i * m + j]": * m + ==> ,
-// mistake "the angular halves twice: the first product is of the linear ones": dot(J[i].v,
-//         response.v) + dot(J[i].w, response.w) ==> dot(J[i].w, response.w) + dot(J[i].w,
-//         response.w)
+// mistake "the angular halves twice: the first product is of the linear ones": v, response.v ==> w,
+//         response.w
 // mistake "the sums of both halves are multiplied: v with v and w with w, then add": dot(J[i].v,
 //         response.v) + dot(J[i].w, response.w) ==> dot(J[i].v + J[i].w, response.v + response.w)
 // mistake "twice the product, or the loops run twice: once": dot(J[i].v, response.v) + dot(J[i].w,
@@ -96,24 +92,19 @@
 //         response.w) ==> std::abs(dot(J[i].v, response.v) + dot(J[i].w, response.w))
 // mistake "only x counts in the angular product: all three do": dot(J[i].v, response.v) +
 //         dot(J[i].w, response.w) ==> dot(J[i].v, response.v) + J[i].w.x * response.w.x
-// mistake "the response with itself: the rate is that of a row of J": dot(J[i].v, response.v) ==>
-//         dot(mass.linear * other[i].v, response.v) ;; dot(J[i].w, response.w) ==> dot(mass.angular
-//         * other[i].w, response.w)
+// mistake "the response with itself: the rate is that of a row of J": J ==> mass.linear * other ;;
+//         J ==> mass.angular * other
 // mistake "always the first half-row of the response: column j belongs to other[j]": other[j].v ==>
 //         other[0].v ;; other[j].w ==> other[0].w
 // mistake "i is not multiplied by m: entry (i, j) stands at A[i * m + j]: A is n x m, row by row":
 //         i * m + j ==> i + j
-// mistake "everything is added to the first entry: (i, j) stands at A[i * m + j]": A[i * m + j] ==>
-//         A[0]
+// mistake "everything is added to the first entry: (i, j) stands at A[i * m + j]": i * m + j ==> 0
 // mistake "only the entries with j >= i: this is no diagonal block, all n x m count": A[i ==> if (j
 //         >= i) A[i
-// mistake "the old entry is taken away: it grows by the product": A[i * m + j] += ==> A[i * m + j]
-//         = -A[i * m + j] +
+// mistake "the old entry is taken away: it grows by the product": += ==> = -A[i * m + j] +
 // mistake "the old entry is counted twice: A[i * m + j] += has it already": A[i * m + j] += ==> A[i
 //         * m + j] += A[i * m + j] +
-// mistake "the old entry is multiplied: it grows by the product": A[i * m + j] += dot(J[i].v,
-//         response.v) + dot(J[i].w, response.w) ==> A[i * m + j] *= dot(J[i].v, response.v) +
-//         dot(J[i].w, response.w)
+// mistake "the old entry is multiplied: it grows by the product": += ==> *=
 // mistake "the last column is left out: j < m": j < m ==> j < m - 1
 // mistake "the first row is left out: i begins with 0": int i = 0 ==> int i = 1
 // mistake "the rows stop at {3|4}: a block has up to six": i < n ==> i < n && i < {3|4}

@@ -2,9 +2,8 @@
 //         the kernels do the rest": std::copy(L, L + m * n, block); ==> for (int a = 0; a < m; ++a)
 //         for (int b = 0; b < n; ++b) block[b * m + a] = L[a * n + b];
 // mistake "a block is transposed: each has the rows of edge j's node and the columns of node k, and
-//         the kernels do the rest": for (int i = j; i < end; ++i) ==> double T[36]; for (int a = 0;
-//         a < m; ++a) for (int b = 0; b < n; ++b) T[b * m + a] = L[a * n + b]; for (int i = j; i <
-//         end; ++i) ;; rows, L, ==> rows, T,
+//         the kernels do the rest": for (int i ==> double T[36]; for (int a = 0; a < m; ++a) for
+//         (int b = 0; b < n; ++b) T[b * m + a] = L[a * n + b]; for (int i ;; L, ==> T,
 // mistake "a block is transposed: each has the rows of edge j's node and the columns of node k, and
 //         the kernels do the rest": divide_rows(block, ==> double T[36]; for (int a = 0; a < m;
 //         ++a) for (int b = 0; b < n; ++b) T[b * m + a] = block[a * n + b]; divide_rows(T,
@@ -20,8 +19,7 @@
 // wrong "the entry before any product was subtracted: &A.original[node.row]": std::size_t(node.row)
 //         ==> k
 // wrong inverse-own: inverse ==> [](double p, double) { return 1 / p; }
-// mistake "the target is always the first one: *target++ goes on to the next": *target++ ==>
-//         *target
+// mistake "the target is always the first one: *target++ goes on to the next": target++ ==> target
 // mistake "the first target is left out: *target++ and not *++target": *target++ ==> *++target
 // mistake "the targets begin anew with each node: they go on to the end": diagonal ==> diagonal;
 //         target = A.targets.data()
@@ -36,14 +34,12 @@
 // mistake "L is not stored: the edge's block becomes L at last": std::copy(L, L + m * n, block);
 //         ==>
 // mistake "the block has become L before the products are subtracted: A_ik is needed there, so
-//         store L at last": divide_rows(block, m, D, n, L); ==> divide_rows(block, m, D, n, L);
-//         std::copy(L, L + m * n, block);
+//         store L at last": L) ==> L); std::copy(L, L + m * n, block)
 // mistake "the product of two blocks of L: one of them is the original block, A_ik L_jk^T. Is L
-//         stored before the products are subtracted?": for (int j = node.first_edge; j < end; ++j)
-//         { ==> for (int j = node.first_edge; j < end; ++j) divide_rows(number + A.edges[j].at,
-//         A.nodes[A.edges[j].to].rows, D, n, number + A.edges[j].at); for (int j = node.first_edge;
-//         j < end; ++j) { ;; divide_rows(block, m, D, n, L); ==> std::copy(block, block + m * n,
-//         L);
+//         stored before the products are subtracted?": j) ==> j) divide_rows(number +
+//         A.edges[j].at, A.nodes[A.edges[j].to].rows, D, n, number + A.edges[j].at); for (int j =
+//         node.first_edge; j < end; ++j) ;; divide_rows(block, m, D, ==> std::copy(block, block + m
+//         *
 // mistake "A is not divided by the diagonal block: L = divide_rows() of it": divide_rows(block, m,
 //         D, n, L); ==> std::copy(block, block + m * n, L);
 // mistake "rows and columns of the edge's block are exchanged in divide_rows(): it is m x n, the
@@ -51,13 +47,11 @@
 // mistake "the product of two blocks of A: one of them is L, A_ik L_jk^T": L, m ==> block, m
 // mistake "the product is transposed: A_ik L_jk^T has the rows of i": L, m, n ==> n ;; (number ==>
 //         (L, m, number
-// mistake "the last node is left out: all nodes but the one behind the last": k + 1 <
-//         A.nodes.size() ==> k + 2 < A.nodes.size()
+// mistake "the last node is left out: all nodes but the one behind the last": 1 ==> 2
 // wrong "an index outside a vector or an array: places run from 0 to size() - 1": + 1 ==>
 // mistake "the inner loop leaves the last edge out: up to the end, as the outer one": int i = j; i
 //         < end ==> int i = j; i < end - 1
-// mistake "only the first edge of each node: all of them": j < end; ++j ==> j < end && j ==
-//         node.first_edge; ++j
+// mistake "only the first edge of each node: all of them": end; ==> end && j == node.first_edge;
 // wrong "Case: a triangle": A.nodes[std::size_t(A.edges[j].to)].rows ==> n
 // mistake "the rows of edge j in the place of those of edge i: the block of edge i has its own
 //         number": A.nodes[A.edges[i].to].rows, L ==> m, L
@@ -66,8 +60,7 @@
 // mistake "the block of edge j twice: the one of edge i, and L": [i] ==> [j]
 // mistake "L is stored behind the loop over the edges: each edge has its own": std::copy ==> if (j
 //         + 1 == end) std::copy
-// mistake "not all of L is stored, or more than that: m * n numbers": std::copy(L, L + m * n,
-//         block) ==> std::copy(L, L + n, block)
+// mistake "not all of L is stored, or more than that: m * n numbers": m * ==>
 // mistake "the products are never subtracted: A_ij -= A_ik L_jk^T, Eq. 9-4": subtract_product ==>
 //         if (false) subtract_product
 // mistake "nothing is done":
@@ -106,20 +99,17 @@
 // mistake "divided behind the way back: on the way forward, after the node's edges": divide(number
 //         + node.diagonal, node.rows, x + node.row); ==> ;; // Eq. 9-5 } ==> } divide(number +
 //         node.diagonal, node.rows, x + node.row);
-// mistake "only the last edge of each node on the way back: all of them": for (int k = count - 1; k
-//         >= 0; --k) { const Node& node = A.nodes[k]; for (int j = node.first_edge; ==> for (int k
-//         = count - 1; k >= 0; --k) { const Node& node = A.nodes[k]; for (int j =
-//         std::max(node.first_edge, A.nodes[k + 1].first_edge - 1);
-// mistake "the last edge of each node is left out: up to first_edge of the next node": A.nodes[k +
-//         1].first_edge; ==> A.nodes[k + 1].first_edge - 1; ;; A.nodes[k + 1].first_edge; ==>
-//         A.nodes[k + 1].first_edge - 1;
+// mistake "only the last edge of each node on the way back: all of them": -k) { const Node& node =
+//         A.nodes[k]; for (int j = node.first_edge ==> -k) { const Node& node = A.nodes[k]; for
+//         (int j = std::max(node.first_edge, A.nodes[k + 1].first_edge - 1)
+// mistake "the last edge of each node is left out: up to first_edge of the next node": ].first_edge
+//         ==> ].first_edge - 1 ;; ].first_edge; ==> ].first_edge - 1;
 // mistake "the node's number in the place of its row: its numbers begin at x + node.row": x +
 //         node.row, x + to.row ==> x + k, x + A.edges[j].to ;; x + node.row ==> x + k ;; x +
 //         to.row, x + node.row ==> x + A.edges[j].to, x + k
 // wrong "cases drawn with seed 1 are wrong": for (int k = count - 1; ==> for (int i = 0; i <
 //         A.nodes.back().row; ++i) if (std::abs(x[i]) < 1e-9) x[i] = 0; for (int k = count - 1;
-// wrong drawn-stops: count = int(A.nodes.size()) - 1; ==> count = std::min(16, int(A.nodes.size())
-//         - 1);
+// wrong drawn-stops: int(A.nodes.size()) - 1 ==> std::min(16, int(A.nodes.size()) - 1)
 // mistake "nothing is divided: each node's numbers by its diagonal block, on the way forward":
 //         divide(number + node.diagonal, node.rows, x + node.row); ==>
 // mistake "divided before its edges are gone through: they take the numbers as they are,

@@ -1,9 +1,7 @@
 // wrong "6 nodes where there are 5: an eliminated node must not come back into the queue":
 //         if (b != a) ==>
-// wrong drawn-stops: order.push_back(node); ==> order.push_back(node); if (order.size() >= 64)
-//         break;
-// wrong small-type: const int node = queue.begin()->second; ==> const int node = (unsigned
-//         char)(queue.begin()->second);
+// wrong drawn-stops: node) ==> node); if (order.size() >= 64) break
+// wrong small-type: queue.begin()->second ==> (unsigned char)(queue.begin()->second)
 // mistake "the node with the most neighbours comes first: the fewest make little fill":
 //         queue.begin() ==> std::prev(queue.end()) ;; (queue.begin()) ==> (std::prev(queue.end()))
 // mistake "nothing is filled in: an eliminated node makes its neighbours neighbours of each other":
@@ -67,20 +65,18 @@
 // wrong nothing-returned: order.push_back(node); ==>
 // wrong "there is no node 5: they are counted from 0": (node) ==> (node + 1)
 // mistake "the node with the most neighbours comes first: the fewest make little fill, and of
-//         equals the least number": {left.back().size(), ==> {-left.back().size(), ;;
-//         {left[a].size(), a} ==> {-left[a].size(), a} ;; {left[a].size(), a} ==> {-left[a].size(),
-//         a}
+//         equals the least number": left.back ==> -left.back ;; left[a ==> -left[a ;; {left ==>
+//         {-left
 // mistake "the nodes in their own order: the one with the fewest neighbours left comes first":
 //         while (!queue.empty()) ==> for (int k = 0; k < int(left.size()); ++k) order.push_back(k);
 //         while (false)
 // mistake "the nodes in their own order, backwards: the one with the fewest neighbours left comes
 //         first": while (!queue.empty()) ==> for (int k = int(left.size()); k-- > 0;)
 //         order.push_back(k); while (false)
-// right of equals a neighbour of the last one: node ==> before =
-//         order.empty() ? -1 : order.back(); auto best ;; ->second ==> ; for (auto q = best; before
-//         >= 0 && q != queue.end() && q->first == best->first; ++q) if (!neighbours[before].empty()
-//         && neighbours[before][0] == q->second) best = q; const int node = best->second ;;
-//         (queue.begin()) ==> (best)
+// right of equals a neighbour of the last one: node ==> before = order.empty() ? -1 : order.back();
+//         auto best ;; -> ==> ; for (auto q = best; before >= 0 && q != queue.end() && q->first ==
+//         best->first; ++q) if (!neighbours[before].empty() && neighbours[before][0] == q->second)
+//         best = q; const int node = best-> ;; queue.begin()) ==> best)
 // wrong doubled-neighbours: if (b != a) ==> if (b > a)
 // wrong doubled-neighbours: queue.erase({left[a].size(), a}); ==>
 // right without a queue:

@@ -37,9 +37,8 @@
 //         original)
 // mistake "a pivot is raised to its fraction of the entry: a smaller one gets 0, no impulse": pivot
 //         > fraction * original ? 1 / pivot : 0 ==> 1 / std::max(pivot, fraction * original)
-// mistake "a fixed bound for masses of any size: it is a fraction of the original entry": pivot >
-//         fraction * original ==> pivot >
-//         {1e-6|1e-7|1e-8|1e-9|1e-10|1e-11|1e-12|1e-13|1e-14|1e-15|1e-16|1e-20}
+// mistake "a fixed bound for masses of any size: it is a fraction of the original entry": fraction
+//         * original ==> {1e-6|1e-7|1e-8|1e-9|1e-10|1e-11|1e-12|1e-13|1e-14|1e-15|1e-16|1e-20}
 // mistake "a fixed bound for masses of any size: it is a fraction of the original entry": pivot >
 //         fraction * original ==> !(pivot <
 //         {1e-6|1e-7|1e-8|1e-9|1e-10|1e-11|1e-12|1e-13|1e-14|1e-15|1e-16|1e-20})
@@ -56,8 +55,7 @@
 //         {1e-13|1e-14|1e-15|1e-16|2.220446049250313e-16|1e-20} * original
 // mistake "the fraction is too large: a row that is needed gets no impulse": fraction * original
 //         ==> {1e-6|1e-7} * original
-// mistake "the comparison is reversed: a pivot of at most the fraction gets 0": pivot > fraction *
-//         original ==> pivot {<|<=} fraction * original
+// mistake "the comparison is reversed: a pivot of at most the fraction gets 0": > ==> {<|<=}
 // mistake "the comparison is reversed: a pivot of at most the fraction gets 0": pivot > fraction *
 //         original ==> !(pivot {>|>=} fraction * original)
 // mistake "the size of the pivot is compared: a pivot below zero is an error, too, and gets 0":
@@ -69,8 +67,7 @@
 //         pivot > fraction ==> std::abs(pivot) > fraction
 // right as large a fraction as can be: fraction * original ==> 0.99e-8 * original
 // right as small a fraction as can be: fraction * original ==> 1.01e-12 * original
-// right the roots: pivot > fraction * original ==> pivot > 0 && std::sqrt(pivot) > 1e-5 *
-//         std::sqrt(original)
+// right the roots: fraction * original ==> 0 && std::sqrt(pivot) > 1e-5 * std::sqrt(original)
 // right with an if: return pivot > fraction * original ? 1 / pivot : 0 ==> if (!(pivot > original *
 //         fraction)) return 0; return 1.0 / pivot
 // right the difference: return pivot > ==> const double beyond = pivot - ;; ? 1 / pivot : 0 ==> ;

@@ -1,10 +1,8 @@
 // mistake "only the y of gravity acts: world.gravity is a vector": world.gravity, ==> vec3(0,
 //         world.gravity.y, 0),
-// wrong drawn-stops: for (const auto& joint : world.joints()) joint->append(world.bodies,
-//         world.blocks); ==> for (std::size_t k = 0; k < world.joints().size() && k < 4; ++k)
-//         world.joints()[k]->append(world.bodies, world.blocks);
-// mistake "1/60 s in the place of h: each step has a length of its own": (world.last_h + h) / 2 ==>
-//         (world.last_h + real(1) / 60) / 2
+// wrong drawn-stops: const auto& joint : world.joints()) joint->append ==> std::size_t k = 0; k <
+//         world.joints().size() && k < 4; ++k) world.joints()[k]->append
+// mistake "1/60 s in the place of h: each step has a length of its own": h) ==> real(1) / 60)
 // mistake "the longer of both steps: their mean": (world.last_h + h) / 2 ==> std::max(world.last_h,
 //         h)
 // mistake "half of h in the first step and h in the later ones: the mean of the last step and this
@@ -36,24 +34,21 @@
 //         joint : world.joints()) joint->begin_step(world.bodies, h); ==>
 // mistake "no joint appends its blocks: the bodies move as if free": for (const auto& joint :
 //         world.joints()) joint->append(world.bodies, world.blocks); ==>
-// mistake "begin_step() of the joints has half of h: all of it": begin_step(world.bodies, h) ==>
-//         begin_step(world.bodies, h / 2)
+// mistake "begin_step() of the joints has half of h: all of it": , h ==> , h / 2
 // mistake "prepare() has the mean of the last step and this one: only the forces act for the mean,
 //         prepare() needs h": integrate_forces(world.bodies, world.gravity, (world.last_h + h) / 2)
 //         ==> const real mean = (world.last_h + h) / 2; integrate_forces(world.bodies,
 //         world.gravity, mean) ;; 0, h ==> 0, mean
 // mistake "begin_step() of the joints has the mean of the last step and this one: only the forces
 //         act for the mean, begin_step() needs h": integrate_forces(world.bodies, world.gravity,
-//         (world.last_h + h) / 2) ==> const real mean = (world.last_h + h) / 2;
-//         integrate_forces(world.bodies, world.gravity, mean) ;; begin_step(world.bodies, h) ==>
-//         begin_step(world.bodies, mean)
+//         (world.last_h + h) / 2 ==> const real mean = (world.last_h + h) / 2;
+//         integrate_forces(world.bodies, world.gravity, mean ;; , h ==> , mean
 // mistake "prepare() has half of h: all of it": 0, h ==> 0, h / 2
 // wrong "the solver did not get the blocks of this step: solver.prepare(": 0 ==>
 //         int(world.blocks.list.size())
 // wrong "the solver did not get the blocks of this step: solver.prepare(":
 //         solver.prepare(world.bodies, world.blocks, 0, h); ==>
-// mistake "a warm start: the ratio is 0, the impulses of the last step are not used":
-//         warm_start(world.bodies, 0) ==> warm_start(world.bodies, 1)
+// mistake "a warm start: the ratio is 0, the impulses of the last step are not used": 0) ==> 1)
 // mistake "warm_start() is missing: the impulses of the last step must become 0":
 //         solver.warm_start(world.bodies, 0); ==>
 // mistake "solve() is missing: no joint holds": solver.solve(world.bodies); ==>
@@ -89,8 +84,7 @@
 // mistake "forces act twice for half of h: once, for the mean of the last step and this one":
 //         (world.last_h + h) / 2 ==> h / 2 ;; integrate_poses(world.bodies, h); ==>
 //         integrate_poses(world.bodies, h); integrate_forces(world.bodies, world.gravity, h / 2);
-// mistake "a warm start with half of the impulses: the ratio is 0": warm_start(world.bodies, 0) ==>
-//         warm_start(world.bodies, real(0.5))
+// mistake "a warm start with half of the impulses: the ratio is 0": 0) ==> real(0.5))
 // mistake "the bodies move twice: integrate_poses() once": integrate_poses(world.bodies, h); ==>
 //         integrate_poses(world.bodies, h); integrate_poses(world.bodies, h);
 // mistake "the bodies move before solve(): by the new velocities, behind it":

@@ -46,19 +46,16 @@
 //         it: is `last` stored, and is it used?": last = largest; ==>
 // mistake "the first error is kept for ever: compare with that of the iteration before": last =
 //         largest; ==> if (n == 0) last = largest;
-// mistake "true where the error hardly becomes less: that is false, the joints are not closed": n
-//         == iterations || ==> n == iterations) return false; if ( ;; * last)) return false ==> *
-//         last)) return true
+// mistake "true where the error hardly becomes less: that is false, the joints are not closed":
+//         iterations || ==> iterations) return false; if ( ;; )) return false ==> )) return true
 // mistake "only an error that grows ends it: at most poor_contraction of the last one may remain":
 //         poor_contraction * last ==> last
 // mistake "at exactly poor_contraction it goes on: <=": largest <= poor ==> largest < poor
 // mistake "poor_contraction is tested before the tolerance: an error below it is good in any case":
-//         if (largest <= tolerance) return true; ==> if (!(largest <= poor_contraction * last))
-//         return false; if (largest <= tolerance) return true;
+//         largest < ==> !(largest <= poor_contraction * last)) return false; if (largest <
 // mistake "the number of iterations is tested before the tolerance: the last correction may have
-//         closed the joints, so test first whether the error is at most that": if (largest <=
-//         tolerance) return true; ==> if (n == iterations) return false; if (largest <= tolerance)
-//         return true;
+//         closed the joints, so test first whether the error is at most that": largest < ==> n ==
+//         iterations) return false; if (largest <
 // mistake "the number of iterations and poor_contraction are tested before the tolerance: an error
 //         that is at most that is good in any case": if (largest <= tolerance) return true; ==> ;;
 //         return false; ==> return false; if (largest <= tolerance) return true;
@@ -92,8 +89,7 @@
 // mistake "true after the last correction although its errors are above the tolerance: that is
 //         false": n == iterations || ==> n == iterations) return true; if (
 // mistake "one iteration too many: n < iterations": n == iterations ==> n > iterations
-// mistake "one iteration too few: from 0 while n < iterations": n == iterations ==> n >= iterations
-//         - 1
+// mistake "one iteration too few: from 0 while n < iterations": == iterations ==> >= iterations - 1
 // mistake "the errors are computed before the bodies move: C is that at the new poses":
 //         integrate_poses(bodies, real(h)); ==> ;; double largest ==> integrate_poses(bodies,
 //         real(h)); double largest
@@ -116,16 +112,14 @@
 //         false; }
 // mistake "divided by poor_contraction: at most that fraction of the last error may remain":
 //         poor_contraction * last ==> last / poor_contraction
-// mistake "the tolerance is the argument, not a number of your own": largest <= tolerance ==>
-//         largest <= 1e-7
+// mistake "the tolerance is the argument, not a number of your own": tolerance ==> 1e-7
 // mistake "where the error hardly decreases the bodies move on: stop there, they have moved": if (n
 //         == iterations || !(largest <= poor_contraction * last)) return false; ==> if (n ==
 //         iterations) return false; if (!(largest <= poor_contraction * last)) {
 //         integrate_poses(bodies, real(h)); for (const double C : corrector.errors()) if
 //         (std::abs(C) > tolerance) return false; return true; }
 // mistake "the largest error counts, by its size: of all rows max |C|. Only the first row is used":
-//         largest = std::max(largest, std::abs(C)) ==> if (&C == rates.data()) largest =
-//         std::abs(C)
+//         largest = std::max(largest, std::abs(C) ==> if (&C == rates.data()) largest = std::abs(C
 // mistake "the largest error counts, by its size: of all rows max |C|, not the sum of the squares":
 //         largest = std::max(largest, std::abs(C)) ==> largest += C * C
 // mistake "twice: J V changes by -C/h": C /= -h ==> C /= -h / 2
@@ -139,9 +133,8 @@
 //         iterations ? h / 2 : h)
 // mistake "the first error is compared with a number: in the first iteration any error is accepted,
 //         use infinity": std::numeric_limits<double>::infinity() ==> 1
-// right put back in a loop: std::copy(start.begin(), start.end(), bodies.data()); ==> for
-//         (int slot = 0; slot < bodies.slots(); ++slot) bodies.at(slot) =
-//         start[std::size_t(slot)];
+// right put back in a loop: std::copy(start.begin(), start.end(), bodies.data()) ==> for (int slot
+//         = 0; slot < bodies.slots(); ++slot) bodies.at(slot) = start[std::size_t(slot)]
 // right one loop with a move before it:
   const auto move = [&] {
     start.resize(std::size_t(bodies.slots()));

@@ -40,12 +40,9 @@
 //         :
 // mistake "the comparisons of a free row are reversed: below lower, or above upper": < lower ==> >
 //         lower ;; > upper ==> < upper
-// mistake "at exactly a bound nothing flips: < and >, not <= and >=": impulse < lower ==> impulse
-//         <= lower
-// mistake "at exactly a bound nothing flips: < and >, not <= and >=": impulse > upper ==> impulse
-//         >= upper
-// mistake "at exactly a bound nothing flips: < and >, not <= and >=": < lower ==> <= lower ;; >
-//         upper ==> >= upper
+// mistake "at exactly a bound nothing flips: < and >, not <= and >=": < ==> <=
+// mistake "at exactly a bound nothing flips: < and >, not <= and >=": > ==> >=
+// mistake "at exactly a bound nothing flips: < and >, not <= and >=": < ==> <= ;; > ==> >=
 // mistake "the sign of the impulse decides: compare it with the bounds, which need not be 0":
 //         impulse < lower ==> impulse < 0
 // mistake "the sign of the rate at the lower bound: at a negative rate a larger impulse would
@@ -54,8 +51,7 @@
 //         help": return rate > 0 ==> return rate < 0
 // mistake "both signs of the rate are reversed: at the lower bound a negative rate frees, at the
 //         upper one a positive rate": if (now == Side::lower) return rate < 0 ? Side::free : now;
-//         return rate > 0 ? Side::free : now; ==> return (now == Side::lower ? rate > 0 : rate < 0)
-//         ? Side::free : now;
+//         return rate > 0 ==> return (now == Side::lower ? rate > 0 : rate < 0)
 // mistake "at a rate of exactly 0 nothing flips: < and >, not <= and >=": rate < 0 ==> rate <= 0
 // mistake "at a rate of exactly 0 nothing flips: < and >, not <= and >=": rate > 0 ==> rate >= 0
 // mistake "from the lower bound to the upper one at once: it is free first": rate < 0 ? Side::free
@@ -80,8 +76,7 @@
 //         > 0 ;; upper ==> upper && rate < 0
 // mistake "the sizes are compared: impulse and bounds have signs": impulse > upper ==>
 //         std::abs(impulse) > std::abs(upper)
-// mistake "a small rate is accepted at the lower bound: there is no threshold": rate < 0 ==> rate <
-//         -1e-6
+// mistake "a small rate is accepted at the lower bound: there is no threshold": 0 ==> -1e-6
 // mistake "a small impulse below the lower bound is accepted: there is no threshold": impulse <
 //         lower ==> impulse < lower - 1e-6
 // wrong "a free row never goes to its upper bound: impulse > upper is beyond it; and the sign of
@@ -100,16 +95,14 @@
   const double sum = impulse - rate;
   return sum <= lower ? Side::lower : sum >= upper ? Side::upper : Side::free;
 // mistake "impulse and rate are combined into one number: the impulse alone decides for a free row,
-//         the rate alone for a bounded one": impulse < lower ==> impulse - rate < lower ;; impulse
-//         > upper ==> impulse - rate > upper
+//         the rate alone for a bounded one": < ==> - rate < ;; > ==> - rate >
 // mistake "impulse and rate are combined into one number: the impulse alone decides for a free row,
 //         the rate alone for a bounded one":
   if (now == Side::free)
     return impulse < lower ? Side::lower : impulse > upper ? Side::upper : Side::free;
   return impulse - rate < lower ? Side::lower : impulse - rate > upper ? Side::upper : Side::free;
-// mistake "the sign of the impulse decides: compare it with the bounds, which need not be 0":
-//         impulse < lower ? Side::lower : impulse > upper ? Side::upper : Side::free ==> impulse <
-//         0 ? Side::lower : Side::free
+// mistake "the sign of the impulse decides: compare it with the bounds, which need not be 0": lower
+//         ? Side::lower : impulse > upper ? Side::upper ==> 0 ? Side::lower
 // mistake "the sizes are compared: impulse and bounds have signs": impulse < lower ? Side::lower :
 //         impulse > upper ? Side::upper : Side::free ==> std::abs(impulse) > std::abs(upper) ?
 //         Side::upper : impulse < lower ? Side::lower : Side::free
@@ -117,8 +110,7 @@
 //         impulse < lower - 1e-7 ;; impulse > upper ==> impulse > upper + 1e-7
 // mistake "a small impulse above the upper bound is accepted: there is no threshold": impulse >
 //         upper ==> impulse > upper + 1e-7
-// mistake "a small rate is accepted at the upper bound: there is no threshold": rate > 0 ==> rate >
-//         1e-7
+// mistake "a small rate is accepted at the upper bound: there is no threshold": > 0 ==> > 1e-7
 // mistake "the rate of a free row is tested: only its impulse counts, its rate is zero already":
 //         impulse < lower ? Side::lower : impulse > upper ? Side::upper : Side::free ==> rate {<|>}
 //         0 ? Side::lower : rate {>|<} 0 ? Side::upper : Side::free
@@ -139,8 +131,7 @@
 // mistake "the side `now` is ignored: the rate of a bounded row decides, not its impulse": if (now
 //         == Side::free) ==> if (now != Side(5))
 // mistake "the side `now` is ignored: the rate of a bounded row decides, not its impulse": if (now
-//         == Side::free) ==> ;; impulse < lower ==> impulse <= lower ;; impulse > upper ==> impulse
-//         >= upper
+//         == Side::free) ==> ;; < ==> <= ;; > ==> >=
 // mistake "the rate decides on every side: for a free row the impulse decides": if (now ==
 //         Side::free) ==> ;; impulse < lower ? Side::lower : impulse > upper ? Side::upper :
 //         Side::free ==> rate > 0 ? Side::lower : rate < 0 ? Side::upper : Side::free
@@ -150,8 +141,7 @@
 //         Side::lower : impulse > upper ? Side::upper : Side::free ==> Side::{lower|upper}
 // mistake "impulse and rate are combined into one number: the impulse alone decides for a free row,
 //         the rate alone for a bounded one": if (now == Side::free) ==> const double sum = impulse
-//         + rate; ;; impulse < lower ? Side::lower : impulse > upper ? Side::upper : Side::free ==>
-//         sum < lower ? Side::lower : sum > upper ? Side::upper : Side::free
+//         + rate; ;; impulse < lower ? Side::lower : impulse ==> sum < lower ? Side::lower : sum
 // right a switch:
   switch (now) {
     case Side::lower: return rate >= 0 ? Side::lower : Side::free;

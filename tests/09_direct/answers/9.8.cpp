@@ -5,26 +5,20 @@
 //         const real most = std::max({moments.x, moments.y, moments.z}); for (int k = 0; k < 3;
 //         ++k) if (moments[k] < real(0.01) * most) now[k] = moments[k]; const vec3 ratio
 // mistake "a fixed step of 1/60 s: take h": kappa * h * h ==> kappa / 3600
-// mistake "each moment becomes at least the middle one: at least kappa h^2 |F||r|":
-//         out.inverse_inertia_local = ==> vec3 sorted = moments; if (sorted.x > sorted.y)
-//         std::swap(sorted.x, sorted.y); if (sorted.y > sorted.z) std::swap(sorted.y, sorted.z); if
-//         (sorted.x > sorted.y) std::swap(sorted.x, sorted.y); out.inverse_inertia_local = ;;
-//         real(1) / now ==> real(1) / max(vec3(sorted.y), now)
+// mistake "each moment becomes at least the middle one: at least kappa h^2 |F||r|": out ==> vec3
+//         sorted = moments; if (sorted.x > sorted.y) std::swap(sorted.x, sorted.y); if (sorted.y >
+//         sorted.z) std::swap(sorted.y, sorted.z); if (sorted.x > sorted.y) std::swap(sorted.x,
+//         sorted.y); out ;; 1) / now ==> 1) / max(vec3(sorted.y), now)
 // mistake "the root of kappa: kappa h^2 |F||r|": kappa * h * h ==> std::sqrt(kappa) * h * h
 // mistake "h is squared: kappa h^2 |F||r|": kappa * h * h * force_lever ==> kappa * h * force_lever
 // mistake "h is missing: kappa h^2 |F||r|": kappa * h * h * force_lever ==> kappa * force_lever
-// mistake "h to the third power: kappa h^2 |F||r|": kappa * h * h * force_lever ==> kappa * h * h *
-//         h * force_lever
+// mistake "h to the third power: kappa h^2 |F||r|": force_lever ==> h * force_lever
 // mistake "kappa is missing: kappa h^2 |F||r|": kappa * h * h * force_lever ==> h * h * force_lever
 // mistake "the force is missing: kappa h^2 |F||r|": kappa * h * h * force_lever ==> kappa * h * h
-// mistake "a fixed number: `kappa` is an argument": kappa * h * h * force_lever ==> real(8) * h * h
-//         * force_lever
-// mistake "divided by h^2: times h^2": kappa * h * h * force_lever ==> kappa / (h * h) *
-//         force_lever
-// mistake "the force is squared: it is |F||r| itself": kappa * h * h * force_lever ==> kappa * h *
-//         h * force_lever * force_lever
-// mistake "twice: kappa h^2 |F||r|": kappa * h * h * force_lever ==> 2 * kappa * h * h *
-//         force_lever
+// mistake "a fixed number: `kappa` is an argument": kappa ==> real(8)
+// mistake "divided by h^2: times h^2": * h * h ==> / (h * h)
+// mistake "the force is squared: it is |F||r| itself": force_lever ==> force_lever * force_lever
+// mistake "twice: kappa h^2 |F||r|": kappa ==> 2 * kappa
 // mistake "kappa h^2 |F||r| is added to the moments: each becomes at least that": max(moments,
 //         vec3(kappa * h * h * force_lever)) ==> moments + vec3(kappa * h * h * force_lever)
 // mistake "the lesser of the moment and kappa h^2 |F||r|: the greater": max ==> min
@@ -38,8 +32,7 @@
 //         force_lever) ==> vec3(before)
 // mistake "a moment stays as large as in the last step: it may become smaller again": vec3(kappa *
 //         h * h * force_lever) ==> vec3(std::max(before, kappa * h * h * force_lever))
-// mistake "the inverse moments are taken for moments: 1 over each of them first": moments = real(1)
-//         / body ==> moments = body
+// mistake "the inverse moments are taken for moments: 1 over each of them first": real(1) / ==>
 // mistake "the moments are returned: 1 over each of them": real(1) / now ==> now
 // mistake "the last step is forgotten: then each moment was at least `before`": max(moments,
 //         vec3(before)) / now ==> moments / now
@@ -86,8 +79,7 @@
 //         vec3(before)) * own, own); out.w = after == 0 ? body.w : std::sqrt(std::min(real(1),
 //         first / after)) * body.w; (void)
 // mistake "half of it: kappa h^2 |F||r|": kappa * h * h ==> kappa * h * h / 2
-// mistake "the force is ignored, and nothing changes": vec3(kappa * h * h * force_lever) ==> vec3(0
-//         * kappa * h * h * force_lever)
+// mistake "the force is ignored, and nothing changes": kappa ==> 0 * kappa
 // mistake "the inverse moments are taken for moments, and the greater is returned: 1 over each of
 //         both": moments = real(1) / body ==> moments = body ;; real(1) / now ==> now
 // mistake "the last step is forgotten, and its moments, too: each was at least `before`":

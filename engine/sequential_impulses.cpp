@@ -11,15 +11,21 @@ namespace {
 
 // The velocities of both bodies as twelve numbers side by side.
 Twelve velocities(const Body& body1, const Body& body2) {
-  const Row V{body1.v, body1.w, body2.v, body2.w};
-  return twelve(V);
+  const vec3 &v1 = body1.v, &w1 = body1.w, &v2 = body2.v, &w2 = body2.w;
+  const real V[12] = {v1.x, v1.y, v1.z, w1.x, w1.y, w1.z, v2.x, v2.y, v2.z, w2.x, w2.y, w2.z};
+  return reinterpret_cast<const Twelve&>(V);
 }
 
 // A static body keeps its velocities, even if an impulse is not finite.
 void set_velocities(Body& body1, Body& body2, const Twelve& twelve) {
-  const Row& V = reinterpret_cast<const Row&>(twelve);
-  if (!body1.is_static()) body1.v = V.v1, body1.w = V.w1;
-  if (!body2.is_static()) body2.v = V.v2, body2.w = V.w2;
+  const real* const V = reinterpret_cast<const real*>(&twelve);
+  const auto set = [](Body& body, const real* V) {
+    if (body.is_static()) return;
+    body.v = vec3(V[0], V[1], V[2]);
+    body.w = vec3(V[3], V[4], V[5]);
+  };
+  set(body1, V);
+  set(body2, V + 6);
 }
 
 // V += lambda M^-1 J^T.

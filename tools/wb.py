@@ -130,6 +130,16 @@ SOME = argument("what", help="an exercise or a chapter, such as 2.1 or 2, a file
 CHAPTER = argument("chapter", nargs="?", help="such as 2; without one, all")
 
 
+def chapters_of(words):
+    """The chapters that "1-3" or "2,4" names."""
+    found = []
+    for part in filter(None, words.split(",")):
+        first, last = (house.chapter_of(word).number for word in
+                       (part.split("-") if part.count("-") == 1 else (part, part)))
+        found += [one for one in house.chapters() if first <= one.number <= last]
+    return found
+
+
 def chapter_of(args):
     return house.chapter_of(args.chapter) if args.chapter else None
 
@@ -312,13 +322,15 @@ def keep(args):
          "everyone in out/grades/",
          argument("folder", metavar="DIR", nargs="+",
                   help="a folder of submissions, such as ./wb grade class, or one of them: a "
-                       "folder, a zip or a file"))
+                       "folder, a zip or a file"),
+         argument("--chapters", metavar="N-M", default="",
+                  help="these alone, such as 1-3 or 2,4; without it, all that are handed in"))
 def grade(args):
     from classroom import grading
     if len(args.folder) > 1:
         raise house.Trouble("grade takes one folder and grades every chapter that is in it: "
                             f"./wb grade {args.folder[-1]}")
-    return grading.grade(house.CALLED_FROM / args.folder[0])
+    return grading.grade(house.CALLED_FROM / args.folder[0], chapters_of(args.chapters))
 
 
 @command("hand-out DIR", "for a class: the workbook without solutions and known answers",

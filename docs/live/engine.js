@@ -27,7 +27,7 @@ class Engine {
     return this.about = this.ask("load", {bytes: this.bytes}, 20000);
   }
   // \param patience for the answer [ms]: the solution is known to end, however slow the machine
-  ask(what, more = {}, patience = this.label === "the solution" ? 20000 : 1000) {
+  ask(what, more = {}, patience = this.label === "the solution" ? 20000 : 3000) {
     return new Promise((resolve, reject) => {
       const id = this.next++;
       const one = {resolve, reject};
@@ -44,7 +44,7 @@ class Engine {
     this.begin();
     for (const {clock, reject} of all) {
       clearTimeout(clock);
-      reject(new Refused("no answer for a second: the code seems never to end. It was stopped."));
+      reject(new Refused("no answer for three seconds: the code seems never to end. It was stopped."));
     }
   }
 }

@@ -3,6 +3,7 @@ import csv
 import hashlib
 import io
 import json
+import lzma
 import sys
 import tarfile
 import xml.etree.ElementTree as ElementTree
@@ -13,7 +14,7 @@ from door import CHAPTER, Door
 from front_door_test import typed
 from proofs import exercises, house, main
 
-from classroom import grading, lend
+from classroom import grading, lend, results
 
 FILE = "distance.cpp"
 IDS = [f"1.{n}" for n in range(1, 7)]
@@ -62,8 +63,13 @@ class Class:
             return {row["submission"]: row for row in csv.DictReader(file)}
 
     def feedback(self, name):
-        path = self.door.root / "out" / "grades" / "class" / f"{name}.md"
+        path = self.result(name, ".md")
         return " ".join(path.read_text().split()) if path.is_file() else "no feedback"
+
+    def result(self, name, ending):
+        """A file of feedback. In the table a name that begins like a formula has a sign before."""
+        return (self.door.root / "out" / "grades" / "class"
+                / (results.file_name(name.removeprefix("'")) + ending))
 
 
 def zipped(files):
@@ -119,6 +125,15 @@ def forms(c):
                          "with_others/CMakeLists.txt": "#error"}, done, ""),
         "two": ({f"two/{FILE}": text, "two/distance (2).cpp": "old " + text}, done,
                 "distance (2).cpp was not graded"),
+        "Builder Bob": ({f"Builder Bob/{FILE}": text}, done, ""),
+        "tests": ({f"tests/{FILE}": text}, done, ""),
+        "out": ({f"out/{CHAPTER}/{FILE}": text}, done, ""),
+        "umlaut": ({f"umlaut/{FILE}": text, "umlaut/L\udcf6sung.pdf": "no text"}, done, ""),
+        "alone": ({"alone/L\udcf6sung.pdf": "no text"}, "NNNNNN", "but L?sung.pdf"),
+        "long" + 40 * " names": ({f"long{40 * ' names'}/{FILE}": text}, done, ""),
+        "'=HYPERLINK(1)": ({f"=HYPERLINK(1)/{FILE}": text}, done, ""),
+        "bomb": ({"bomb.tar.xz": lzma.compress(bytes(60_000_000))}, "NNNNNN",
+                 "when it is unpacked"),
         "letter": ({"letter/letter.docx": "Sorry."}, "NNNNNN", "but letter.docx"),
         "nothing": ({"nothing/.keep": ""}, "NNNNNN", ""),
         "rar": ({"rar/all.rar": "Rar!"}, "NNNNNN", "ask for a zip"),
@@ -197,7 +212,7 @@ def every_submission_is_judged(root, build):
         yield from verdicts(c, expected)
         yield from points(c, expected)
         for name in expected:
-            yield from forms_agree(c.door.root / "out" / "grades" / "class" / name)
+            yield from forms_agree(c.result(name, ""))
         table = c.table()
         if sorted(name for name, row in table.items() if row["alike"]) != [
                 "own_code", "renamed_code"]:
@@ -206,6 +221,8 @@ def every_submission_is_judged(root, build):
         yield from c.grade("/sign", 1, "1 submission: 4 done", "Exercise 1.1",
                            "the feedback: out/grades/class/sign.md")
         yield from c.grade("/zip.zip", 0, "1 submission: 6 done")
+        yield from c.grade("/zip.zip --chapters 2-3", 1, "Chapter 3: hinge")
+        yield from c.grade("/zip.zip --chapters 1", 0, "1 submission: 6 done")
         if (door.root / "out" / "grades" / "class.csv").read_bytes() != written:
             yield "the table of the class has changed"
 
@@ -228,8 +245,7 @@ def points(c, expected):
     tests that a wrong exercise passes up to a half."""
     table = c.table()
     for name, (_, states, _) in expected.items():
-        graded = json.loads(
-            (c.door.root / "out" / "grades" / "class" / f"{name}.json").read_text())
+        graded = json.loads(c.result(name, ".json").read_text())
         scores = [test["score"] for test in graded["tests"][:6]]
         least = sum(3 if k == 5 else 1 for k, state in enumerate(states) if state in "D125")
         most = least + sum((3 if k == 5 else 1) / 2 for k, state in enumerate(states)
@@ -238,7 +254,7 @@ def points(c, expected):
             yield f"{name}: {graded['score']} points, not {least} to {most}"
         if float(table[name]["points"]) != graded["score"]:
             yield f"{name}: {table[name]['points']} points in the table"
-    last = json.loads((c.door.root / "out" / "grades" / "class" / "last.json").read_text())
+    last = json.loads(c.result("last", ".json").read_text())
     if not 5 < last["score"] < 6.5:
         yield f"of 1.6 some tests pass, and it earns {last['score'] - 5}"
 

@@ -1,9 +1,13 @@
 """What a class has handed in: folders, archives and single files, with whatever names."""
+import bz2
+import gzip
 import io
+import lzma
 import os
 import re
 import tarfile
 import zipfile
+import zlib
 from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
@@ -14,7 +18,7 @@ from judge import grade as grading
 
 MISSING = "not handed in"
 LARGEST = 1_000_000  # exercise file [bytes]; they have some ten thousand
-LARGEST_ARCHIVE = 50_000_000
+LARGEST_ARCHIVE = 50_000_000  # also of all that is unpacked of a submission
 MOST = 20_000        # files that are looked at in a submission
 DEEPEST = 3          # archives in archives
 OPENED = re.compile(r"\.(zip|tar|tgz|tar\.(gz|xz|bz2))$", re.I)
@@ -23,7 +27,8 @@ SOURCE = re.compile(r"\.(cpp|cc|cxx|txt)$", re.I)
 # What a browser, a system or a reader adds to a name: "Copy of distance (1)_final".
 ADDED = re.compile(r"^copy of |[ _-]*(\(\d+\)|\d+|copy|final|v\d+)$", re.I)
 # Folders of the workbook with files of the same names, and folders that systems add.
-NOT_THEIRS = re.compile(r"^(\..*|__.*|solutions|tests|out|build.*|cmake-build.*)$", re.I)
+NOT_THEIRS = re.compile(r"^(\..*|__.*|solutions|tests|out|(cmake-)?build([-_.].*)?)$", re.I)
+HIDDEN = re.compile(r"\.|__")  # of a system; a student may be called "Out"
 EXPECTED = ("A submission is a folder, a zip or a file with exercises, such as distance.cpp or "
             "chapters/01_distance/distance.cpp. Name submissions, or a folder of them: "
             "./wb grade class")
@@ -64,7 +69,8 @@ class Bag:
     """The exercise files below a place, and sentences on the files that cannot be read."""
 
     def __init__(self, place):
-        self.place, self.found, self.notes, self.others, self.count = place, [], [], [], 0
+        self.place, self.found, self.notes, self.others = place, [], [], []
+        self.count = self.unpacked = 0
         if place.is_dir():
             self.walk(place)
         else:
@@ -84,7 +90,11 @@ class Bag:
         self.count += 1
         if self.count > MOST or inner.name.startswith((".", "._")):
             return
-        if OPENED.search(inner.name) and size <= LARGEST_ARCHIVE and depth < DEEPEST:
+        inner = PurePosixPath(printable(str(inner)))
+        if depth and OPENED.search(inner.name):
+            self.unpacked += size
+        if OPENED.search(inner.name) and depth < DEEPEST and (
+                max(size, self.unpacked) <= LARGEST_ARCHIVE):
             self.open(inner, read(), depth)
         elif OPENED.search(inner.name) or CLOSED.search(inner.name):
             self.notes.append(f"{inner} cannot be opened here; ask for a zip.")
@@ -104,7 +114,12 @@ class Bag:
                 members = [(one.filename, one.file_size, lambda one=one: archive.read(one))
                            for one in archive.infolist() if not one.is_dir()]
             else:
-                archive = tarfile.open(fileobj=io.BytesIO(data))
+                plain = decompressed(data)
+                self.unpacked += len(plain)
+                if self.unpacked > LARGEST_ARCHIVE:
+                    return self.notes.append(f"{inner} is larger than {LARGEST_ARCHIVE} bytes "
+                                             "when it is unpacked, and was not read.")
+                archive = tarfile.open(fileobj=io.BytesIO(plain), mode="r:")
                 members = [(one.name, one.size, lambda one=one: archive.extractfile(one).read())
                            for one in archive if one.isreg()]
             for name, size, read in members:
@@ -112,7 +127,7 @@ class Bag:
                 if parts and not any(map(NOT_THEIRS.match, parts[:-1])):
                     self.add(inner / PurePosixPath(*parts), size, read, depth + 1)
         except (zipfile.BadZipFile, tarfile.TarError, RuntimeError, EOFError, OSError,
-                NotImplementedError) as error:
+                NotImplementedError, lzma.LZMAError, zlib.error, MemoryError) as error:
             self.notes.append(f"{inner} cannot be opened: {error}.")
 
     @staticmethod
@@ -121,7 +136,7 @@ class Bag:
 
     def submission(self, name):
         """The file of each chapter: the one that is best named and lies least deep."""
-        files, notes = {}, list(self.notes)
+        files, notes = {}, [printable(note) for note in self.notes]
         folders = {str(chapter.number): chapter.folder for chapter in house.chapters()}
         for one in sorted(self.found, key=lambda one: (
                 not one.number(), exact(one) < 2, -exact(one), one.where.count("/"), one.where)):
@@ -140,6 +155,15 @@ class Bag:
             more = f" and {len(self.others) - 3} more" * (len(self.others) > 3)
             notes.append(f"There is no exercise file, but {', '.join(self.others[:3])}{more}.")
         return Submission(name, files, notes)
+
+
+def decompressed(data):
+    """What is in it, but not much more of it than may be unpacked."""
+    for magic, opener in ((b"\x1f\x8b", gzip), (b"BZh", bz2), (b"\xfd7zXZ", lzma)):
+        if data.startswith(magic):
+            with opener.open(io.BytesIO(data)) as file:
+                return file.read(LARGEST_ARCHIVE + 1)
+    return data
 
 
 def named(name):
@@ -179,7 +203,7 @@ def places_in(place):
         raise house.Trouble(f"grade: {house.short(place)}: there is no such folder")
     if place.is_file() or is_one(place):
         return [place], False
-    inner = [entry for entry in sorted(place.iterdir()) if not NOT_THEIRS.match(entry.name) and (
+    inner = [entry for entry in sorted(place.iterdir()) if not HIDDEN.match(entry.name) and (
         entry.is_dir() or OPENED.search(entry.name) or CLOSED.search(entry.name)
         or SOURCE.search(entry.name) and Bag(entry).found)]
     return inner, True

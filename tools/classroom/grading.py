@@ -18,7 +18,7 @@ from base import exercises
 from check import checking
 from classroom import alike, collecting, fence, lend, results
 from classroom.collecting import MISSING
-from judge import grade as grading
+from judge import grade as grading, runs
 from base import house
 from learn.status import COLOURS
 from base.talk import WIDTH, bold, faint, folded, indented
@@ -95,7 +95,7 @@ def ask(folder, chapter, compiler, seed):
 
     def end():  # with all that it has started; it has not been waited for, so the number is its own
         os.killpg(process.pid, signal.SIGKILL)
-    alarm = threading.Timer(LIMIT, end)
+    alarm = threading.Timer(runs.crowd() * LIMIT, end)
     alarm.start()
     said = process.stdout.read()
     alarm.cancel()
@@ -191,12 +191,13 @@ def tell_why(submission):
             print(f"{bold(id_)}  {COLOURS[one.status](one.words())}\n{indented(report)}\n")
 
 
-def grade(place):
-    """Grades a submission or a folder of them. Exit status 0 when everything is done."""
+def grade(place, only=None):
+    """Grades a submission or a folder of them, of all chapters that are in it or of some. Exit
+    status 0 when everything is done."""
     submissions, is_class = collecting.submissions_in(place)
     rules = results.rules_of((place if is_class else place.parent) / results.RULES)
-    chapters = [chapter for chapter in house.chapters()
-                if any(chapter.folder in one.files for one in submissions)]
+    chapters = only or [chapter for chapter in house.chapters()
+                        if any(chapter.folder in one.files for one in submissions)]
     if words := fence.warning():
         print(folded(f"Note: {words}") + "\n")
     fence.adopt()

@@ -2,6 +2,7 @@
 other systems read."""
 import configparser
 import csv
+import hashlib
 import json
 import re
 import xml.etree.ElementTree as ElementTree
@@ -14,6 +15,7 @@ from classroom.collecting import MISSING
 from judge import grade as grading
 
 RULES = "points.ini"
+LONGEST = 100  # name of a file, without its ending [bytes]
 OF_RULES = """[points]  weights of exercises, such as 1.6 = 2 (without: 1)
 [rules]   partial = 0.5: the tests that a wrong exercise passes earn up to half of its points
           waits = 1: what is right but for another exercise earns all of them"""
@@ -115,6 +117,11 @@ def lines_of(one, ids, rules):
             for grade in map(one.grade, ids)]
 
 
+def cell(words):
+    """As a table shows it: a name that begins like a formula is none."""
+    return f"'{words}" if words[:1] in tuple("=+-@\t\r") else words
+
+
 def write_table(path, submissions, ids, rules):
     """A line for each; the last one says how many have done each exercise."""
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -122,8 +129,8 @@ def write_table(path, submissions, ids, rules):
         table = csv.writer(file)
         table.writerow(["submission", *ids, "done", "points", "alike", "notes"])
         for one in submissions:
-            table.writerow([one.name, *(one.grade(id_).words() for id_ in ids), one.done(ids),
-                            total(lines_of(one, ids, rules)), one.alike, " ".join(one.notes)])
+            table.writerow([cell(one.name), *(one.grade(id_).words() for id_ in ids), one.done(ids),
+                            total(lines_of(one, ids, rules)), one.alike, cell(" ".join(one.notes))])
         count = [sum(one.done([id_]) for one in submissions) for id_ in ids]
         table.writerow(["done in all", *count, sum(count), "", "", ""])
 
@@ -208,4 +215,9 @@ def write_forms(path, one, ids, rules):
 
 
 def file_name(name):
-    return name.replace("/", "_")
+    """One that every disk takes: names of people and of files may be long."""
+    name = name.replace("/", "_")
+    if len(name.encode()) <= LONGEST:
+        return name
+    digest = hashlib.sha256(name.encode()).hexdigest()[:8]
+    return name.encode()[:LONGEST - 9].decode(errors="ignore") + "_" + digest

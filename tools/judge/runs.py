@@ -13,11 +13,16 @@ from judge import crashes
 
 # Processor time for the tests of an exercise [s]: they take milliseconds. The proofs wait less.
 LIMIT = int(os.environ.get("WORKBOOK_LIMIT", "4"))
-WAIT = 15  # for work that may wait [s], times the programs that want a processor
+WAIT = 15  # for work that may wait, which uses no processor time [s]; on a busy machine more
 STACK, MEMORY = 16, 256  # [MB]: what grows for ever fills them at once
 LIMITED = "".join(f"ulimit -S {limit} 2>/dev/null; " for limit in (
     f"-s {STACK * 1024}", f"-v {MEMORY * 1024}", "-t $0")) + 'exec "$@"'
 MOST = 1 << 16  # of its output are kept [bytes]
+
+
+def crowd():
+    """By how much longer everything takes: the programs that want a processor, by processors."""
+    return max(1, os.getloadavg()[0] / (os.cpu_count() or 1))
 
 
 @dataclass
@@ -69,8 +74,7 @@ def process(command, limit, report, env=None):
     kept = []
     listener = threading.Thread(target=listen, args=(ours, kept), daemon=True)
     listener.start()
-    crowd = max(1, os.getloadavg()[0] / (os.cpu_count() or 1))  # a busy machine lets others wait
-    alarm = threading.Timer(crowd * max(WAIT, 2 * limit), child.kill)  # waiting uses no processor
+    alarm = threading.Timer(crowd() * max(WAIT, 2 * limit), child.kill)
     alarm.start()
     status = child.wait()
     alarm.cancel()

@@ -30,9 +30,9 @@ class World {
   /// their size.
   real max_displacement = real(0.2);
 
-  World() = default;
-  World(World&&) = default;
-  World& operator=(World&&) = default;
+  World() = default;                    ///< without bodies
+  World(World&&) = default;             ///< its joints stay where they are
+  World& operator=(World&&) = default;  ///< its joints stay where they are
   World(const World&) = delete;  ///< a World is not copied: build another one, restore(it, save(w))
 
   /// Adds a body. \throws std::invalid_argument as Bodies::add()

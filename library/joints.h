@@ -2,7 +2,7 @@
 // How to install and use it: docs/library.md.
 #pragma once
 
-#include "compare/compare.h"
+#include "comparison/compare.h"
 #include "contacts/contacts.h"
 #include "contacts/ground_contact.h"
 #include "direct/direct_solver.h"

@@ -2,7 +2,7 @@
 import re
 from pathlib import Path
 
-FOLDERS = ("engine", "chapters", "joints", "contacts", "direct", "reduced", "compare", "checker",
+FOLDERS = ("engine", "chapters", "joints", "contacts", "direct", "reduced", "comparison", "checker",
            "library", "solutions", "bench", "docs", "tests")
 
 

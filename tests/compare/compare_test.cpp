@@ -1,6 +1,6 @@
 // The comparison of methods: what it measures, what it recommends, and what it says of scenes that
 // cannot be compared.
-#include "compare/compare.h"
+#include "comparison/compare.h"
 
 #include <cmath>
 #include <cstdio>

@@ -26,7 +26,7 @@ def may_include(path):
     last = int(chapter[1]) if chapter else 99
     folders = ["engine"] + [f"chapters/{n:02}_" for n in range(1, last + 1)]
     if not chapter or "program" in path.parts:
-        folders += ["joints", "contacts", "direct", "reduced", "compare"]
+        folders += ["joints", "contacts", "direct", "reduced", "comparison"]
     folders += {"bench": ["bench"], "tests": ["bench", "checker", "tests", "docs"],
                 "docs": ["bench", "docs"]}.get(path.parts[0], [])
     return lambda of: of.startswith(tuple(folders))

@@ -22,12 +22,12 @@ def main(file, options):
         raise house.Trouble(f"compare: {file} is no file: {WANTED}")
     if "make_world" not in path.read_text(encoding="utf-8", errors="replace"):
         raise house.Trouble(f"compare: {file} has no make_world: {WANTED}")
-    scene = house.BUILD / "compare" / "scene.cpp"
+    scene = house.BUILD / "comparison" / "scene.cpp"
     scene.parent.mkdir(parents=True, exist_ok=True)
     text = SCENE.format(path=json.dumps(str(path), ensure_ascii=False))
     if not scene.is_file() or scene.read_text(encoding="utf-8") != text:
         scene.write_text(text, encoding="utf-8")
     house.must_build(["compare_scene"])
     house.progress_done()
-    return subprocess.run([house.BUILD / "compare" / "compare_scene", *options],
+    return subprocess.run([house.BUILD / "comparison" / "compare_scene", *options],
                           cwd=house.CALLED_FROM).returncode

@@ -31,7 +31,7 @@ class Targets:
         self.read_tags(xml.fromstring(tags))
         for path in [*ROOT.glob("engine/*.h"), *ROOT.glob("checker/*.h"),
                      *ROOT.glob("direct/*.h"), *ROOT.glob("reduced/*.h"),
-                     *ROOT.glob("compare/*.h"),
+                     *ROOT.glob("comparison/*.h"),
                      *ROOT.glob("chapters/*/*.h")]:
             if group := re.search(r"\\(?:defgroup|addtogroup) (\w+)", path.read_text()):
                 self.files.setdefault(path.name, f"group__{group[1]}.html")

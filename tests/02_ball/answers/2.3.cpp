@@ -32,7 +32,7 @@
 //         * y[k]; y[i] = rest / L[i][i]; } for (int i = 2; i >= 0; --i) { real rest = y[i]; for
 //         (int k = i + 1; k < 3; ++k) rest -= L[k][i] * x[k]; x[i] = rest / L[i][i]; } return x;
 // right vector times symmetric matrix: inverse(K) * e ==> e * inverse(K)
-// right vec3 begins at zero: = bias ==> ;; ; return ==> + bias[i]; return
+// wrong never-set: = bias ==> ;; ; return ==> + bias[i]; return
 // right cross products of the columns: return -inverse(K) * e ==> const mat3 A(cross(K[1], K[2]),
 //         cross(K[2], K[0]), cross(K[0], K[1])); return -(transpose(A) * e) / dot(K[0], cross(K[1],
 //         K[2]))

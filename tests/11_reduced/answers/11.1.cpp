@@ -37,7 +37,7 @@
 // right by the axis in the world: const real half = link.x / 2; ==> ;; const quat turned =
 //         std::cos(half) * link.start + std::sin(half) * link.start_axis; link.q = parent.q *
 //         turned; ==> link.q = rotation(link.x * link.a) * parent.q * link.start;
-// wrong units "a length and a pure number": link.d += link.x * link.a ==> link.d += link.a
+// wrong units "adding a pure number to m": link.d += link.x * link.a ==> link.d += link.a
 
 // region 2
 // mistake "gamma points outwards: w x (w x d) points to the axis": link.gamma = cross(w, cross(w,
@@ -89,4 +89,4 @@
     case Freedom::ball: break;
     default: link.w = w;
   }
-// wrong units "rates": cross(w, relative) ==> cross(w, link.a)
+// wrong units "zeta is in 1/s": cross(w, relative) ==> cross(w, link.a)

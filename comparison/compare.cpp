@@ -1,5 +1,5 @@
 // The list of methods, the runs, the reference and the recommendation.
-#include "compare/compare.h"
+#include "comparison/compare.h"
 
 #include <algorithm>
 #include <cmath>

@@ -43,7 +43,7 @@ TEST_CASE("a pendulum has a reference, and only reduced coordinates have no gap 
   const Comparison found = compare([] { return chain(1, 1, 1); }, {.seconds = 1});
   CHECK(found.reference_until == Approx(1));
   CHECK(found.reference_apart < 1e-3 / 3);
-  const MethodResult& tree = find(found, "reduced, Runge-Kutta");
+  const MethodResult tree = find(found, "reduced, Runge-Kutta");
   CHECK(tree.failed.empty());
   CHECK(tree.gap < 100 * double(epsilon));
   CHECK(tree.distance < 1e-3);

@@ -272,8 +272,9 @@ std::string Comparison::table() const {
     out += "There is no reference: refinements of the step do not agree.\n";
   if (recommended >= 0) {
     const MethodResult& best = methods[std::size_t(recommended)];
-    return out + "The fastest that meets the wish (gap " + shown(wish.gap) + " m, angle " +
-           shown(wish.angle) + "): " + best.name + ".\n\n" + best.code + "\n";
+    return out + "The fastest that meets the wish for " + shown(wish.seconds) + " s (gap " +
+           shown(wish.gap) + " m, angle " + shown(wish.angle) +
+           "): " + best.name + ".\n\n" + best.code + "\n";
   }
   const auto nearest = std::min_element(
       methods.begin(), methods.end(), [](const MethodResult& a, const MethodResult& b) {

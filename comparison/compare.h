@@ -54,7 +54,8 @@ struct Comparison {
 
 /// Runs each method on a world of its own. Errors are those of the joints' own rows at the poses
 /// that a method has reached. The reference is the direct solver with exact positions, in shorter
-/// and shorter steps until two runs agree; of a chaotic scene only its beginning has one.
+/// and shorter steps until two runs agree; of a chaotic scene only its beginning has one. The
+/// recommendation is for Wish::seconds: gaps of iterations may grow beyond the wish after them.
 /// \param make_world makes the scene, the same one each time
 /// \throws std::invalid_argument for a scene that cannot be made or stepped at all
 Comparison compare(const std::function<World()>& make_world, const Wish& wish = {});

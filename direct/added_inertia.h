@@ -23,7 +23,7 @@ class AddedInertia {
   void add(const Bodies& bodies, const Blocks& blocks, JointIslands& islands,
            SolverMemory& memory);
   /// Finds what the present impulses require.
-  void find_next(const Blocks& blocks, JointIslands& islands);
+  void find_next(const Bodies& bodies, const Blocks& blocks, JointIslands& islands);
   /// True if the present impulses require more than twice the inertia of a body. This happens after
   /// a blow and in the first step, which has no earlier forces.
   bool jumped(const Body& body, int slot) const;
@@ -41,13 +41,18 @@ class AddedInertia {
     if (adds(slot)) body.w = now_[slot].slowed.w;
   }
 
+  /// Gives an island that nothing holds the angular momentum that it had before the impulses, by a
+  /// rotation of the whole: no joint in it opens. The others are left as they are.
+  /// \param before the bodies, with the poses and velocities of that time
+  void keep_momentum(const Island& island, const std::vector<Body>& before, Bodies& bodies) const;
+
  private:
   struct Pulled {          // a body
-    real force_lever = 0;  // the sum of |F||r| over its joints [N m]
+    vec3 force_lever{0};  // the sum over its joints, about each of its axes [N m]
     Slowed slowed{};       // the body with added inertia
   };
-  bool adds(int slot) const { return used() && now_[slot].force_lever > 0; }
-  void find(real acted, const Blocks& blocks, JointIslands& islands, std::vector<Pulled>& of);
+  bool adds(int slot) const { return used() && now_[slot].force_lever != vec3(0); }
+  void find(real acted, const Bodies& bodies, const Blocks& blocks, JointIslands& islands, std::vector<Pulled>& of);
   void slow_down(const Body& body, int slot, const SolverMemory& memory);
 
   std::vector<Pulled> now_, next_;  // of each slot: of the step, and as its impulses require

@@ -218,7 +218,7 @@ bool DirectSolver::alternating() const {
 // True if the forces have jumped at a body. Then only the islands of such bodies are active and, if
 // rows outside A act on one of them, all on which such rows act.
 bool DirectSolver::forces_jumped(const Bodies& bodies) {
-  inertia_.find_next(*blocks_, islands_);
+  inertia_.find_next(bodies, *blocks_, islands_);
   bool any = false;
   for (Island& island : islands_.list) {
     island.active = false;
@@ -263,12 +263,17 @@ void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
       if (!island.left) island.system.store_impulses(*blocks_);
     Positions::Report& report = report_;
     report = positions_.report;
-    if (!report_.iterated) return;
-    report_.moved_exactly = false;
-    for (int slot = 0; slot < bodies.slots(); ++slot)  // `fallback` moves all bodies
-      bodies.at(slot) = positions_.start[slot];
   }
-  report_.iterated ? fallback.advance(bodies, h, append) : integrate_poses(bodies, h);
+  if (report_.iterated) {
+    report_.moved_exactly = false;
+    for (int slot = 0; newton > 0 && slot < bodies.slots(); ++slot)
+      bodies.at(slot) = positions_.start[slot];
+    fallback.advance(bodies, h, append);  // moves all bodies
+  } else if (newton == 0) {
+    integrate_poses(bodies, h);
+  }
+  if (!before_.empty())
+    for (const Island& island : islands_.list) inertia_.keep_momentum(island, before_, bodies);
 }
 
 // ---- for the stages of a Runge-Kutta method -----------------------------------------------------

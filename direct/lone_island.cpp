@@ -15,6 +15,8 @@ static constexpr int most_corrections = 20;
 static constexpr double most_gain = 0.01;
 // An error is small compared to another one if it is less than this fraction of it.
 static constexpr double small_fraction = 0.1;
+// A correction with the factor of a new pose rotates no body by more than this [rad].
+static constexpr double most_turn = 1;
 // How often velocities are halved at most if no correction closes the joints.
 static constexpr int most_halved = 4;
 
@@ -96,6 +98,16 @@ bool Positions::move_alone() {
   return now.exact;
 }
 
+// By how much the last correction changes the rotation of a body in the step at most [rad].
+double Positions::largest_change() {
+  double largest = 0;
+  auto spin = own_.spins.begin();
+  for_bodies([&](Body& body, int) {
+    largest = std::max(largest, double(h_ * length(body.w - *spin++)));
+  });
+  return largest;
+}
+
 // True if the errors are larger than in the old poses.
 bool Positions::opened(double most) {
   evaluate(false);
@@ -173,6 +185,11 @@ bool Positions::project(double most) {
     own_.spins.clear();
     for_bodies([&](Body& body, int) { own_.spins.push_back(body.w); });
     change_rates(own_.rates);
+    if (const double turn = largest_change(); turn > most_turn) {
+      back_to_best();
+      for (double& rate : own_.rates) rate *= most_turn / turn;
+      change_rates(own_.rates);
+    }
     auto spin = own_.spins.begin();
     for_bodies([&](Body& body, int) {
       body.w = *spin + as_spin(body.w - *spin, h_ * *spin);

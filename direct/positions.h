@@ -91,6 +91,7 @@ class Positions : public Corrector {
   bool project(double most);
   bool opened(double most);
   double twice_kinetic();
+  double largest_change();
   double next_error();  // the largest one before an iteration
   void move_bodies();
   void move_back();  // to the poses and the velocities before move_bodies()

@@ -4,6 +4,7 @@
 
 #include "joints/distance_joint.h"
 #include "joints/own_joint.h"
+#include "joints/turned_coordinate.h"
 
 /// \addtogroup chapter10
 /// @{
@@ -18,51 +19,6 @@ class PartJoint<NoRows> : public Joint {
   /// Of a part. \throws std::invalid_argument for a joint of a body with itself
   PartJoint(BodyId body1, BodyId body2, NoRows) : Joint(body1, body2) {}
   void append(const Bodies&, Blocks&) const override {}
-};
-
-/// An angle whose rate changes within a step because the bodies also rotate about other axes. Its
-/// limits have rows for the end of the step, too.
-template <class Coordinate>
-class TurnedCoordinate : public FreeCoordinate<Coordinate> {
-  using Free = FreeCoordinate<Coordinate>;
-
- public:
-  using Free::Free;
-  /// The torque of the limits in the last step [N m].
-  real limit_force() const { return Free::limit_force() + Free::force(end_.sum()); }
-
- protected:
-  template <class, class...>
-  friend class WithCoordinates;
-
-  /// Chooses the rows of a step that begins. \param h step [s]
-  void choose(const Bodies& bodies, real h) {
-    end_.clear();
-    Free::choose(bodies, h);
-  }
-  /// Adds the rows of limits that hold at the end of the step. \param h step [s]
-  void late(const Bodies& bodies, real h, Blocks& blocks) {
-    Free::late(bodies, h, blocks);
-    const auto [lower, upper] = Free::limits();
-    const Joint& joint = Free::joint();
-    for (const real sign : {real(1), real(-1)})
-      if (lower < upper && std::abs(sign > 0 ? lower : upper) < unbounded)
-        end_.append(Free::limit(sign), bodies, joint.body1, joint.body2, h, Free::limit_target(),
-                    blocks, sign);
-  }
-  /// Sets all impulses to zero: both bodies are static.
-  void drop() {
-    end_.clear();
-    Free::drop();
-  }
-  /// Saves or restores what a step hands on to the next.
-  void serialize(StateStream& stream) {
-    Free::serialize(stream);
-    end_.serialize(stream);
-  }
-
- private:
-  EndRows end_;
 };
 
 /// A rigid part, and any number of free coordinates, each with everything that may act on it. The
@@ -215,53 +171,6 @@ class StrutJoint : public WithCoordinates<NoRows, Length> {
 
 // ---- swing and twist -------------------------------------------------------------------------
 
-/// One component of the swing: of the shortest rotation that takes an axis of body 1 to an axis of
-/// body 2, about a direction perpendicular to the first axis.
-///
-/// c = a1.a2, theta = arccos c, kappa = theta / sin theta; C = kappa (a1 x a2).n1 [rad];
-/// J = (0, -g^T, 0, g^T), g = kappa' ((a1 x a2).n1) (a2 x a1) + kappa a2 x (n1 x a1) with kappa' =
-/// (kappa c - 1)/(1 - c^2), exact at every swing below pi; K = g.(I1^-1 + I2^-1) g [1/(kg m^2)].
-/// At pi the direction of the swing is arbitrary and kappa is infinite. With the twist about a1
-/// (HingeAngle) two of them are coordinates of the orientation. Source: swing-twist decomposition;
-/// the slope is ours.
-struct SwingAngle {
-  vec3 a1_local{1, 0, 0};  ///< unit, body space of body 1
-  vec3 n1_local{0, 1, 0};  ///< unit, perpendicular to a1, body space of body 1
-  vec3 a2_local{1, 0, 0};  ///< unit, body space of body 2
-
-  static constexpr int rows = 1;               ///< one row, used by everything that acts on it
-  static constexpr bool one_sided = false;     ///< false; the row of a limit is one-sided
-  static constexpr Form form = Form::angular;  ///< the form of its row
-  /// C [rad].
-  real error(const Body& body1, const Body& body2) const {
-    const vec3 a1 = to_world(body1, a1_local), a2 = to_world(body2, a2_local);
-    return kappa(a1, a2) * dot(cross(a1, a2), to_world(body1, n1_local));
-  }
-  /// Its slope.
-  Row jacobian(const Body& body1, const Body& body2) const {
-    const vec3 a1 = to_world(body1, a1_local), a2 = to_world(body2, a2_local);
-    const vec3 n1 = to_world(body1, n1_local), across = cross(a1, a2);
-    const real c = dot(a1, a2), square = dot(across, across), k = kappa(a1, a2);
-    // near 0 the difference k c - 1 would be lost in rounding
-    const real slope = square > real(1e-4) || c < 0 ? (k * c - 1) / square
-                                                    : -(1 + square * real(0.4)) / 3;
-    const vec3 g = -slope * dot(across, n1) * across + k * cross(a2, cross(n1, a1));
-    return {vec3(0), -g, vec3(0), g};
-  }
-
- private:
-  static real kappa(const vec3& a1, const vec3& a2) {
-    const real sine = length(cross(a1, a2));
-    return sine > real(1e-6) ? std::atan2(sine, dot(a1, a2)) / sine : real(1);
-  }
-};
-/// Validates it. \throws std::invalid_argument unless the three vectors have length 1
-inline void check(const SwingAngle& part) {
-  require_unit("a1_local", part.a1_local);
-  require_unit("n1_local", part.n1_local);
-  require_unit("a2_local", part.a2_local);
-}
-
 /// Three perpendicular unit vectors in body space of body 1: the first along an axis, the second in
 /// the plane of the axis and another direction. \param axis, across world, of any length
 /// \throws std::invalid_argument unless both are finite, not zero and not parallel
@@ -339,6 +248,8 @@ class ConeTwistJoint : public WithCoordinates<Point, HingeAngle, SwingAngle, Swi
                         {frame[0], frame[1], normalize(to_local(b, to_world(a, frame[0])))},
                         {frame[0], frame[2], normalize(to_local(b, to_world(a, frame[0])))}),
         cone_(id1, id2, cone_about(a, b, to_world(a, frame[0]), 1)) {
+    swing1().set_twist(twist());
+    swing2().set_twist(twist());
     set_cone(limit);
   }
   ConeJoint cone_;  // appends its rows, and is never in the world itself
@@ -378,7 +289,10 @@ class SixDofJoint : public WithCoordinates<NoRows, Slide, Slide, Slide, HingeAng
                         {at.anchor1_local, at.anchor2_local, frame[2]},
                         angle_about(a, b, to_world(a, frame[0])),
                         {frame[0], frame[1], normalize(to_local(b, to_world(a, frame[0])))},
-                        {frame[0], frame[2], normalize(to_local(b, to_world(a, frame[0])))}) {}
+                        {frame[0], frame[2], normalize(to_local(b, to_world(a, frame[0])))}) {
+    swing2().set_twist(twist());
+    swing3().set_twist(twist());
+  }
 };
 /// Its name before version 0.10.
 using SixDegreesJoint [[deprecated("write SixDofJoint")]] = SixDofJoint;

@@ -134,6 +134,13 @@ class FreeCoordinate {
 
   /// Where the impulse of the limit is, if its row belongs to a block of the joint.
   void keep_limit_impulse(real& impulse) { limit_impulse_ = &impulse; }
+  /// The impulse of the limit's row. Only with limits.
+  real& limit_impulse() const { return limit_impulse_ ? *limit_impulse_ : data_->limit_impulse; }
+  /// Appends a block of the joint's bodies.
+  void append(const Bodies& bodies, Blocks& blocks, const auto& part, const RowSettings& target,
+              real& impulse) const {
+    blocks.append(bodies, joint_.body1, joint_.body2, part, target, &impulse);
+  }
   /// The joint that it belongs to.
   const Joint& joint() const { return joint_; }
   /// Chooses the rows of a step that begins. \param h step [s]
@@ -271,11 +278,6 @@ class FreeCoordinate {
 
   // Unchecked access: the step has validated the ids.
   static const Body& at(const Bodies& bodies, BodyId id) { return bodies.at(int(id.slot)); }
-  real& limit_impulse() const { return limit_impulse_ ? *limit_impulse_ : data_->limit_impulse; }
-  void append(const Bodies& bodies, Blocks& blocks, const auto& part, const RowSettings& target,
-              real& impulse) const {
-    blocks.append(bodies, joint_.body1, joint_.body2, part, target, &impulse);
-  }
   // The coordinate is within half a turn of this value. If the joint does not count turns yet,
   // limits less than a turn apart determine it.
   real expected() const {

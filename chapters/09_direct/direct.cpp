@@ -91,7 +91,7 @@ Side next_side(Side now, double impulse, double lower, double upper, double rate
 
 // ---- inertia ------------------------------------------------------------------------------------
 
-Slowed slowed(const Body& body, real force_lever, real before, real kappa, real h) {
+Slowed slowed(const Body& body, const vec3& force_lever, const vec3& before, real kappa, real h) {
   Slowed out;
   // begin [exercise 9.8]
   // Raise the moments that this step cannot follow, Eq. 9-13, by as little as possible, and return

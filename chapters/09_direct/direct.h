@@ -152,10 +152,11 @@ struct Slowed {
 /// axis h nu is at most 1 / sqrt(kappa), Eq. 9-13. Where a moment is larger than in the last step,
 /// the energy of the rotation is kept; where it is smaller, the angular velocity.
 /// \param body a moving body; it has its own moments, however often they were raised
-/// \param force_lever the sum of |F||r| over the joints that pull at it [N m]
-/// \param before the least moment that the last step could follow [kg m^2]; 0 if there was none
+/// \param force_lever about each principal axis i, the sum of |F| (|r|^2 - r_i^2) / |r| over the
+/// joints that pull at it [N m, body space]
+/// \param before the least moments that the last step could follow [kg m^2]; 0 if there was none
 /// \param kappa about 8 [1]
-Slowed slowed(const Body& body, real force_lever, real before, real kappa, real h);
+Slowed slowed(const Body& body, const vec3& force_lever, const vec3& before, real kappa, real h);
 #endif
 
 }  // namespace joints

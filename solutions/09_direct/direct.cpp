@@ -170,15 +170,15 @@ Side next_side(Side now, double impulse, double lower, double upper, double rate
 
 // ---- inertia ------------------------------------------------------------------------------------
 
-Slowed slowed(const Body& body, real force_lever, real before, real kappa, real h) {
+Slowed slowed(const Body& body, const vec3& force_lever, const vec3& before, real kappa, real h) {
   Slowed out;
   // begin [exercise 9.8]
   // Raise the moments that this step cannot follow, Eq. 9-13, by as little as possible, and return
   // the inverses of all three and the angular velocity. `before` is what the last step could
   // follow. min(), max(), sqrt(), products and quotients of two vec3 act component by component.
   const vec3 moments = real(1) / body.inverse_inertia_local;
-  const vec3 now = max(moments, vec3(kappa * h * h * force_lever));
-  const vec3 ratio = min(vec3(1), max(moments, vec3(before)) / now);
+  const vec3 now = max(moments, kappa * h * h * force_lever);
+  const vec3 ratio = min(vec3(1), max(moments, before) / now);
   out.inverse_inertia_local = real(1) / now;
   out.w = to_world(body, sqrt(ratio) * to_local(body, body.w));  // Eq. 9-14
   // end [exercise 9.8]

@@ -85,11 +85,7 @@ inline std::vector<TangentCase> rest_cases() {
 
 /// The arguments of a case, for the report.
 inline std::string tangent_given(const TangentCase& c) {
-  const auto words = [](const vec3& a) {
-    return "(" + short_number(double(a.x)) + ", " + short_number(double(a.y)) + ", " +
-           short_number(double(a.z)) + ")";
-  };
-  return "Case: n " + words(c.n) + ", sliding " + words(c.sliding) + " m/s.";
+  return "Case: n " + in_words(c.n) + ", sliding " + in_words(c.sliding) + " m/s.";
 }
 
 inline const char* const stand_in_along_n =

@@ -167,21 +167,25 @@ inline Drawn drawn_side(Draw& d) {
 
 inline Drawn drawn_slowed(Draw& d) {
   const Draw::Units u = d.units();
-  SlowedCase c{"", d.body(u), 0, 0, 8, real(0.01 * u.s)};
+  SlowedCase c{"", d.body(u), vec3(0), vec3(0), 8, real(0.01 * u.s)};
   const double inertia = d.size("inertia", u.kg * u.m * u.m, "kg m^2");
   const double thin = d.chance("it is a thin rod") ? std::pow(10, is_float ? 2 : 6 * d.pick()) : 1;
   c.body.inverse_inertia_local[int(2.99 * d.pick())] *= real(d.size("I / I", thin, ""));
   c.kappa = real(8 * d.scale(is_float ? 1 : 5));
-  c.force_lever = real(inertia * d.scale(is_float ? 1 : 4)) / (c.kappa * c.h * c.h);
-  c.before = d.chance("the last step slowed it, too") ? real(inertia * d.scale(1)) : real(0);
-  d.size("force_lever", double(c.force_lever), "N m");
-  d.size("before", double(c.before), "kg m^2");
-  const vec3 own = real(1) / c.body.inverse_inertia_local;
-  const double pull = double(c.kappa * c.h * c.h * c.force_lever);
-  d.size("needed moment", pull, "kg m^2");
-  d.size("needed moment over the own", pull / double(std::max({own.x, own.y, own.z})), "");
-  d.side("no moment grows", pull < double(std::min({own.x, own.y, own.z})));
-  d.size("last moment over the needed one", double(c.before) / pull, "");
+  const bool slowed_before = d.chance("the last step slowed it, too");
+  for (int k = 0; k < 3; ++k) {
+    c.force_lever[k] = real(inertia * d.scale(is_float ? 1 : 4)) / (c.kappa * c.h * c.h);
+    if (slowed_before) c.before[k] = real(inertia * d.scale(1));
+  }
+  if (d.chance("nothing opposes one rotation")) c.force_lever[int(2.99 * d.pick())] = 0;
+  const auto largest = [](const vec3& a) { return double(std::max({a.x, a.y, a.z})); };
+  d.size("force_lever", largest(c.force_lever), "N m");
+  d.size("before", largest(c.before), "kg m^2");
+  const vec3 own = real(1) / c.body.inverse_inertia_local, pull = followed(c);
+  d.size("needed moment", largest(pull), "kg m^2");
+  d.size("needed moment over the own", largest(pull / own), "");
+  d.side("no moment grows", largest(pull / own) < 1);
+  d.size("last moment over the needed one", largest(c.before) / largest(pull), "");
   const Slowed out = slowed(c.body, c.force_lever, c.before, c.kappa, c.h);
   return drawn_vectors({"1 / moment", "w"},
                        flat(std::vector<vec3>{out.inverse_inertia_local, out.w}),

@@ -11,24 +11,25 @@ namespace joints::testing {
 struct SlowedCase {
   std::string words;
   Body body;
-  real force_lever, before, kappa, h;
+  vec3 force_lever{0}, before{0};
+  real kappa, h;
 };
 inline std::string slowed_given(const SlowedCase& c) {
   return "Case: mass " + short_number(1 / double(c.body.inverse_mass)) + " kg, force_lever " +
-         short_number(double(c.force_lever)) + " N m, before " + short_number(double(c.before)) +
-         " kg m^2, kappa " + short_number(double(c.kappa)) + ", h " + short_number(double(c.h)) +
+         in_words(c.force_lever) + " N m, before " +
+         in_words(c.before) + " kg m^2, kappa " + short_number(double(c.kappa)) + ", h " + short_number(double(c.h)) +
          " s.";
 }
 
-/// The body for pencil and paper: moments 1, 4 and 4 kg m^2, of which the step follows 4.
+/// The body for pencil and paper: moments 1, 4 and 4 kg m^2, of which the step follows 4, 2 and 4.
 inline SlowedCase paper_slowed() {
   Body body = body_with(1, vec3(1, 4, 4), vec3(0));
   body.w = vec3(6, 3, 2);
-  return {"by hand", body, 2, 0, 8, real(0.5)};
+  return {"by hand", body, vec3(2, 1, 2), vec3(0), 8, real(0.5)};
 }
 
-/// The inertia that the step can follow [kg m^2].
-inline real followed(const SlowedCase& c) { return c.kappa * c.h * c.h * c.force_lever; }
+/// The moments that the step can follow [kg m^2].
+inline vec3 followed(const SlowedCase& c) { return c.kappa * c.h * c.h * c.force_lever; }
 
 inline std::vector<SlowedCase> slowed_cases() {
   std::vector<SlowedCase> out{paper_slowed()};
@@ -45,26 +46,29 @@ inline std::vector<SlowedCase> slowed_cases() {
     body.v = random.vector(4);
     body.w = random.vector(3);
     const real h = real(draw % 2 ? 0.01 : 0.05);
-    out.push_back({"turned", body, follows[draw] / (8 * h * h), before[draw], 8, h});
+    const vec3 each = vec3(1) + random.vector(real(0.3));  // about each axis
+    const vec3 last = vec3(1) + random.vector(real(0.3));
+    out.push_back({"turned", body, follows[draw] / (8 * h * h) * each, before[draw] * last, 8, h});
   }
   Body isotropic = body_with(2, vec3(real(0.4)), vec3(1), random.turn());
   isotropic.w = vec3(3, -1, 2);
-  out.push_back({"isotropic", isotropic, 900, 0, 8, real(0.02)});
+  out.push_back({"isotropic", isotropic, vec3(900, 500, 100), vec3(0), 8, real(0.02)});
   const auto another = [&](std::size_t of, const char* words, auto change) {
     out.push_back(out[of]);
     out.back().words = words;
     change(out.back());
   };
   another(2, "kappa 0", [](SlowedCase& c) { c.kappa = 0; });
-  another(3, "no force", [](SlowedCase& c) { c.force_lever = 0; });
+  another(3, "no force", [](SlowedCase& c) { c.force_lever = vec3(0); });
+  another(5, "no force about one axis", [](SlowedCase& c) { c.force_lever.y = 0; });
   another(4, "kappa 4", [](SlowedCase& c) { c.kappa = 4; });
   another(5, "at rest", [](SlowedCase& c) { c.body.w = vec3(0); });
-  another(3, "a great force", [](SlowedCase& c) { c.force_lever *= 100; });
-  another(1, "enough inertia", [](SlowedCase& c) { c.force_lever = 1; });
+  another(3, "a great force", [](SlowedCase& c) { c.force_lever *= real(100); });
+  another(1, "enough inertia", [](SlowedCase& c) { c.force_lever = vec3(1); });
   another(2, "the moments of the last step", [](SlowedCase& c) { c.before = followed(c); });
   another(4, "a long step", [](SlowedCase& c) {
     c.h = 1;
-    c.force_lever = real(1.5) / c.kappa;
+    c.force_lever = vec3(real(1.5), 1, real(0.4)) / c.kappa;
   });
   return out;
 }
@@ -75,9 +79,9 @@ inline Numbers right_slowed(const SlowedCase& c) {
   vec3 inverse, w;
   for (int k = 0; k < 3; ++k) {
     const real own = 1 / c.body.inverse_inertia_local[k];
-    const real now = std::max(own, followed(c));
+    const real now = std::max(own, followed(c)[k]);
     inverse[k] = 1 / now;
-    w[k] = std::sqrt(std::min(real(1), std::max(own, c.before) / now)) * local[k];
+    w[k] = std::sqrt(std::min(real(1), std::max(own, c.before[k]) / now)) * local[k];
   }
   return flat(std::vector<vec3>{inverse, to_world(c.body, w)});
 }

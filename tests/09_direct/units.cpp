@@ -35,7 +35,7 @@ TEST_CASE("9.5 forces act for a time and velocities move for a time", "[9.5]") {
 
 TEST_CASE("9.8 kappa h^2 |F||r| is an inertia", "[9.8]") {
   const Slowed out = in("slowed", [] {
-    return slowed(body1, 300 * newton * m, real(0.3) * (kg * m * m), 8 * pure, h);
+    return slowed(body1, vec3(300) * (newton * m), vec3(real(0.3)) * (kg * m * m), 8 * pure, h);
   });
   expect_unit("the inverse inertia", out.inverse_inertia_local, 1 / (kg * m * m));
   expect_unit("the angular velocity w", out.w, 1 / s);

@@ -184,5 +184,10 @@ inline std::string short_number(double number) {
   std::snprintf(buffer, sizeof buffer, "%g", number);
   return buffer;
 }
+/// A vector with its numbers in that form.
+inline std::string in_words(const vec3& a) {
+  return "(" + short_number(double(a.x)) + ", " + short_number(double(a.y)) + ", " +
+         short_number(double(a.z)) + ")";
+}
 
 }  // namespace joints::testing

@@ -55,6 +55,32 @@ TEST_CASE("swing and length of a joint have the slope of their error wherever th
   }
 }
 
+TEST_CASE("an angle that is held has the slope of its error at every swing, half a turn too") {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    Random random(seed);
+    const vec3 a1 = drawn_direction(random), n1 = normalize(cross(a1, drawn_direction(random)));
+    const CheckSettings settings{.seed = 70 * seed, .exact_when_broken = !testing::is_float};
+    const HeldAngle twist{{a1, random.turn(), 0}, random.uniform(-4, 4), seed % 2 ? real(1) : -1};
+    for (const PartReport& report :
+         {check_part(twist, any_pose, settings),
+          check_part(HeldSwing{{a1, n1, drawn_direction(random)}}, any_pose, settings)}) {
+      INFO(report.text());
+      CHECK(report["J"].right == report["J"].poses);
+      CHECK(report["rank"].right == report["rank"].poses);
+      CHECK(report["broken J"].right >= report["broken J"].poses - (testing::is_float ? 4 : 0));
+    }
+    // where C = 0 the row has length 1: at half a turn of swing, too
+    const vec3 across = normalize(cross(a1, drawn_direction(random)));
+    PosePair pair{ball(1, 1, vec3(0)), ball(1, 1, vec3(0))};
+    pair.body1.q = random.turn();
+    pair.body2.q = pair.body1.q * rotation(pi * across) * rotation(twist.at * a1) *
+                   twist.angle.start;
+    CHECK(double(twist.error(pair.body1, pair.body2)) == Approx(0).margin(tolerance(1e-14, 1e-5)));
+    CHECK(double(length(twist.jacobian(pair.body1, pair.body2).w2)) ==
+          Approx(1).epsilon(tolerance(1e-13, 1e-5)));
+  }
+}
+
 TEST_CASE("the two angles of a universal joint are those of its pins, with limits and motors") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     Random random(seed);

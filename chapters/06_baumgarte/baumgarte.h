@@ -86,7 +86,7 @@ struct SoftRow {
   real rate = 0;      ///< factor of C in the bias [1/s]
   real softness = 0;  ///< the fraction of K by which it yields to its impulse [1]; 0: a hard row
 };
-/// Exercise 6.4, first part: Eq. 6-16. Source: Catto, "Soft Constraints", GDC 2011.
+/// Exercise 6.4, first part: Eq. 6-15. Source: Catto, "Soft Constraints", GDC 2011.
 /// \param frequency of the spring with the bodies, undamped [Hz], positive
 /// \param damping its damping ratio [1], not negative \param h the step or substep [s]
 SoftRow soft_row(real frequency, real damping, real h);
@@ -105,7 +105,7 @@ struct SoftStep {
   int relax = 1;        ///< iterations without bias after the bodies have moved, per substep
 };
 /// Exercise 6.4, third part: a step of a chain in substeps with a warm start, one soft iteration
-/// and `relax` hard ones each (Eq. 6-15 and 6-16).
+/// and `relax` hard ones each (Eq. 6-16 and 6-17).
 /// \param impulses one per joint; in: of the last substep before; out: of the last one [N s]
 /// \param gravity [m/s^2] \param h the whole step [s], as long as the last one
 void soft_step(Chain& chain, std::vector<vec3>& impulses, const SoftStep& how, const vec3& gravity,

@@ -87,25 +87,25 @@ void projection_iteration(Chain& chain) {
   // end [exercise 6.3]
 }
 
-// ---- the soft step -------------------------------------------------------------------------------
+// ---- the soft step ----------------------------------------------------------------------------
 
 SoftRow soft_row(real frequency, real damping, real h) {
   // begin [exercise 6.4]
-  // Return {rate, softness} of Eq. 6-16. std::numbers::pi_v<real> is pi.
+  // Return {rate, softness} of Eq. 6-15. std::numbers::pi_v<real> is pi.
   const real omega = 2 * std::numbers::pi_v<real> * frequency;
   const real d = 2 * damping + h * omega;
-  return {omega / d, 1 / (h * omega * d)};  // Eq. 6-16
+  return {omega / d, 1 / (h * omega * d)};  // Eq. 6-15
   // end [exercise 6.4]
 }
 
 void soft_iteration(const JointRows& rows, const SoftRow& soft, vec3& lambda, Body& body1,
                     Body& body2) {
   // begin [exercise 6.4]
-  // Compute dlambda of Eq. 6-17, apply it to the bodies and add it to lambda. block_impulse of
+  // Compute dlambda of Eq. 6-16, apply it to the bodies and add it to lambda. block_impulse of
   // exercise 2.3 gives -K^-1 (J V + b) of a hard block with the bias b.
   const vec3 bias = soft.rate * rows.C;
   const vec3 hard = block_impulse(rows.J, rows.K, bias, body1, body2);
-  const vec3 dlambda = (hard - soft.softness * lambda) / (1 + soft.softness);  // Eq. 6-17
+  const vec3 dlambda = (hard - soft.softness * lambda) / (1 + soft.softness);  // Eq. 6-16
   apply_impulse(rows.J, dlambda, body1, body2);
   lambda += dlambda;
   // end [exercise 6.4]
@@ -134,7 +134,7 @@ void soft_step(Chain& chain, std::vector<vec3>& impulses, const SoftStep& how, c
     move(chain, part);
     for (int n = 0; n < how.relax; ++n)
       for (std::size_t k = 0; k < rows.size(); ++k)
-        soft_iteration(rows[k], SoftRow{}, impulses[k], bodies[k], bodies[k + 1]);  // Eq. 6-15
+        soft_iteration(rows[k], SoftRow{}, impulses[k], bodies[k], bodies[k + 1]);  // Eq. 6-17
   }
   // end [exercise 6.4]
 }

@@ -193,7 +193,7 @@ TEST_CASE("6.4 a weight on a soft joint sags by g over omega squared in any numb
     for (const int substeps : {1, 4, 16}) {
       const Hanging weight{{10, 2, substeps, relax}, 1.0 / 60, vec3(0), vec3(0), {0, -1, 0}};
       const double sag = -double(gaps_of(weight, 600).back().y);
-      expect_or_say(soft_step_subject, "sag [m] in " + std::to_string(substeps) + " substeps", sag,
+      expect_or_say(soft_step_subject, "sag [m], substeps " + std::to_string(substeps), sag,
                     1 / (400 * std::numbers::pi * std::numbers::pi), is_float ? 1e-5 : 1e-9,
                     likely);
     }

@@ -116,7 +116,7 @@
 // mistake "the relax iterations have the softness of the spring: SoftRow{} is hard": SoftRow{}, ==>
 //         SoftRow{0, spring.softness},
 // mistake "the relax iterations come before the move: their velocities would move the bodies":
-//         move(chain, part); ==> ;; bodies[k + 1]); // Eq. 6-15 ==> bodies[k + 1]); move(chain,
+//         move(chain, part); ==> ;; bodies[k + 1]); // Eq. 6-17 ==> bodies[k + 1]); move(chain,
 //         part);
 // mistake "the relax iterations have impulses of their own: they continue from the same lambda":
 //         for (int n = 0; ==> std::vector<vec3> own(rows.size(), vec3(0)); for (int n = 0; ;;

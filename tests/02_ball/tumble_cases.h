@@ -57,7 +57,7 @@ inline Body spinning(const vec3& moments, const vec3& w, const quat& q = quat(1,
 inline CaseTable<TumbleCase> tumble_table() {
   using Case = TumbleCase;
   CaseTable<Case> table{tumbling,
-                        {"sin(angle/2) of the rotation", "w", "change of L", "change of x",
+                        {"axis sin(angle/2)", "w", "change of L", "change of x",
                          "change of v", "length of q"}, {}, {}, {}, {}};
   judge(table, tumble, [](auto does, const Case& c) {
     Body after = c.body;

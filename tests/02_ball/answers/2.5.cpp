@@ -33,6 +33,8 @@
 //         std::pair(b, h), std::pair(a, h)
 // mistake "the second half about a is missing": std::pair(b, h), std::pair(a, h / 2) ==>
 //         std::pair(b, h)
+// mistake "the last half is about b: it is the other half about a": std::pair(b, h), std::pair(a, h
+//         / 2) ==> std::pair(b, h), std::pair(b, h / 2)
 // mistake "only half of the rotation about b is done": std::pair(b, h) ==> std::pair(b, h / 2)
 // mistake "the axes are in the world's directions: to_world(body, e) is the body's axis there":
 //         axis = to_world(body, axis); ==>

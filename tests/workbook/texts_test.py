@@ -5,7 +5,7 @@ import sys
 from proofs import (beyond, files, folded, house, main, prose, read, regions, section, sections,
                     would_change)
 
-from keep import copied, tabled
+from keep import tabled
 from website import experiments, gallery
 
 HEADINGS = ["Goal", "Derivation", "Numbers", "Code", "Exercises", "Check", "Predict", "See it",
@@ -138,9 +138,9 @@ def words_of_the_field_are_explained(root, build):
 def quotations_are_exact(root, build):
     """code that a text quotes from a file, <!-- from FILE -->, stands there as it is"""
     yield from would_change("listings", root, build)
-    for path in sorted((root / copied.WHOLE).iterdir()):
-        if f"<!-- from {path.relative_to(root)} -->" not in read(root / "docs/library.md"):
-            yield f"docs/library.md does not quote {path.relative_to(root)}"
+    for path in sorted((root / "library" / "examples").iterdir()):
+        if f"](../{path.relative_to(root)})" not in read(root / "docs/library.md"):
+            yield f"docs/library.md does not lead to {path.relative_to(root)}"
 
 
 def lines_can_be_edited(root, build):

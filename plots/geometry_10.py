@@ -82,9 +82,9 @@ def gear(ax):
     words(ax, one + (14, -88), "body 1", BODY1, 12)
     words(ax, two + (8, -54), "body 2", BODY2, 12)
     words(ax, one + (24, 82), "$\\theta_1$", BODY1)
-    words(ax, two + (6, 54), "$\\theta_2 = r\\, \\theta_1$", BODY2)
-    words(ax, (390, 56), "here $r = -2$", FAINT, 11.5)
-    words(ax, (390, 28), "$C = \\theta_2 - r\\, \\theta_1$", FAINT, 11.5)
+    words(ax, two + (6, 54), "$\\theta_2 = \\kappa\\, \\theta_1$", BODY2)
+    words(ax, (390, 56), "here $\\kappa = -2$", FAINT, 11.5)
+    words(ax, (390, 28), "$C = \\theta_2 - \\kappa\\, \\theta_1$", FAINT, 11.5)
 
 
 def cone(ax):

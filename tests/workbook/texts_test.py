@@ -240,8 +240,8 @@ PROOFS = [changes_begin_with_the_version, texts_have_their_headings, questions_h
           equations_exist,
           texts_keep_the_solution, links_lead_somewhere, thesis_is_listed,
           errata_are_shown,
-          words_of_the_field_are_explained, letters_are_listed, quotations_are_exact, code_beside_a_scene_is_there,
-          lines_can_be_edited]
+          words_of_the_field_are_explained, letters_are_listed, quotations_are_exact,
+          code_beside_a_scene_is_there, lines_can_be_edited]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

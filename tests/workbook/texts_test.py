@@ -220,6 +220,21 @@ def lines_can_be_edited(root, build):
                           "letters")
 
 
+def folds_are_named_as_they_are(root, build):
+    """every fold that docs/teaching.md recommends or leaves out is one of its chapter"""
+    titles = {c.number: " ".join(re.findall(r"<summary>([^<]*)", read(c.text))).lower()
+              for c in house.chapters()}
+    named = dict(sections(read(root / "docs/teaching.md"), "##"))["Folds"].partition("* **")[2]
+    found = re.findall(r"(\d+)(?: and (\d+))?: ([^;.]+)", folded(named))
+    for *numbers, names in found:
+        for number in filter(None, numbers):
+            for name in names.split(", "):
+                if name.lower() not in titles[int(number)]:
+                    yield f"docs/teaching.md: chapter {number} has no fold '{name}'"
+    if len(found) < 10:
+        yield f"docs/teaching.md names only {len(found)} chapters with folds"
+
+
 def changes_begin_with_the_version(root, build):
     """the first entry of CHANGELOG.md is the version of CMakeLists.txt"""
     first, *_ = sections(read(root / "CHANGELOG.md"), "##")
@@ -241,7 +256,7 @@ PROOFS = [changes_begin_with_the_version, texts_have_their_headings, questions_h
           texts_keep_the_solution, links_lead_somewhere, thesis_is_listed,
           errata_are_shown,
           words_of_the_field_are_explained, letters_are_listed, quotations_are_exact,
-          code_beside_a_scene_is_there, lines_can_be_edited]
+          code_beside_a_scene_is_there, folds_are_named_as_they_are, lines_can_be_edited]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

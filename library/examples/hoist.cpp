@@ -1,4 +1,4 @@
-// A rope of ten links of 1 kg swings with 1,000 kg at its end, moved in three ways: by iterations,
+// A rope of nine links of 1 kg swings with 1,000 kg at its end, moved in three ways: by iterations,
 // by the direct solver with the settings that docs/which_method.md recommends, and in reduced
 // coordinates. Exit status 1 unless the last two hold it.
 // Prints:

@@ -13,10 +13,12 @@ static constexpr int most_corrections = 20;
 // Corrections by secants that add more than this fraction to the kinetic energy are not used: they
 // have found another pose than the next one.
 static constexpr double most_gain = 0.01;
+// Corrections with factors of new poses that multiply it by more than this have found a wrong pose.
+static constexpr double most_growth = 4;
 // An error is small compared to another one if it is less than this fraction of it.
 static constexpr double small_fraction = 0.1;
 // A correction with the factor of a new pose rotates no body by more than this [rad].
-static constexpr double most_turn = 1;
+static constexpr double most_turn = 2;
 // How often velocities are halved at most if no correction closes the joints.
 static constexpr int most_halved = 4;
 
@@ -74,6 +76,14 @@ bool Positions::move_alone() {
   now.moving = true;
   zeros(own_.C, std::size_t(rows));
   for_bodies([&](Body& body, int slot) { body = own_.begin[slot]; });
+  const double kinetic = twice_kinetic();
+  double slow = 0;  // as if each body corrected ten times what need not be corrected
+  for_bodies([&](Body& body, int) {
+    const vec3 moments = real(1) / body.inverse_inertia_local;
+    slow += double(1 / body.inverse_mass + std::max({moments.x, moments.y, moments.z}));
+  });
+  const double most_kinetic =
+      most_growth * kinetic + slow * std::pow(10 * now.most / double(h_), 2);
   islands_.list[from_].system.impulse = own_.impulses[from_];
   keep_best();
   std::copy_n(stored, rows, expected);
@@ -86,13 +96,22 @@ bool Positions::move_alone() {
     for (int r = 0; r < rows; ++r) own_.rates[r] = -double(stored[r]);
     change_rates(own_.rates);
   }
-  for (int n = 0; !(now.exact = project(now.most)) && n < most_halved && opened(now.most); ++n) {
-    move_back();
-    for_bodies([](Body& body, int) {
-      for (vec3* velocity : {&body.v, &body.w, &body.precession}) *velocity /= real(2);
+  const auto scale_speeds = [&](real factor) {
+    for_bodies([&](Body& body, int) {
+      for (vec3* velocity : {&body.v, &body.w, &body.precession}) *velocity *= factor;
     });
     ++own_.report.halved;
+  };
+  bool gained = false;
+  for (int n = 0;; ++n) {
+    const bool closed = project(now.most);
+    gained = twice_kinetic() > most_kinetic;
+    now.exact = closed && !gained;
+    if (now.exact || n == most_halved || !(gained || opened(now.most))) break;
+    move_back();
+    scale_speeds(real(0.5));
   }
+  if (gained) scale_speeds(real(std::sqrt(kinetic / twice_kinetic())));
   std::fill_n(last, rows, real(0));
   std::fill_n(expected, rows, real(0));
   return now.exact;

@@ -178,7 +178,9 @@ std::vector<std::string> likely_mistakes(const CaseNumbers& all, const Columns& 
     if (!found.empty()) return found;
   }
   if (const std::string words = pattern(false); !words.empty()) return {words};
-  return named(all, all.slips, every);
+  const bool numbers = std::all_of(all.cases.begin(), all.cases.end(),
+                                   [](const Compared& c) { return no_number(c.yours).empty(); });
+  return numbers ? named(all, all.slips, every) : std::vector<std::string>{};
 }
 
 vec3 vector_at(const Numbers& numbers, std::size_t i) {

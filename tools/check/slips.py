@@ -167,14 +167,14 @@ class Slips:
             times, two = token == "*", a == self.first(k - 1)
             self.add("a factor left out", a, b,
                      f"testing::{'first' if times else 'undivided'}({left}, {right})",
-                     f"{short(right)} is missing, {'a factor' if times else 'below'}")
+                     f"the {'factor' if times else 'divisor'} {short(right)} is missing")
             if times and two:
                 self.add("a factor left out", a, b, f"testing::second({left}, {right})",
-                         f"{short(left)} is missing, a factor")
+                         f"the factor {short(left)} is missing")
                 self.add("exchanged operands", a, b, f"testing::exchanged({left}, {right})")
             self.add("* and /", a, b, f"testing::over({left}, {right})" if times
                      else f"{left} * {right}",
-                     "" if times else f"{short(right)} divides, yours multiplies by it")
+                     "" if times else f"multiplied by {short(right)}, not divided by it")
         elif token in ("+=", "-=", "*=", "/="):
             said = f"the sign in the line of {short(self.words(self.first(k - 1), k - 1))}"
             self.add("the sign", k, k, {"+=": "-=", "-=": "+=", "*=": "/=", "/=": "*="}[token],
@@ -215,7 +215,7 @@ class Slips:
         kept = name in ("to_world", "to_local", "direction", "normalize", "conjugate", "inverse",
                         "transpose", "abs", "sqrt")
         for first, last in arguments:
-            said = f"{name}() is missing: of {short(self.words(first, last))}"
+            said = f"{short(self.words(first, last))} stands there without {name}()"
             self.add("a call left out", a, b, f"({self.words(first, last)})",
                      said if kept and last == b - 1 or name == "cross" else "")
         for (p, q), (r, s) in zip(arguments, arguments[1:]):

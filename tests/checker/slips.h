@@ -1,5 +1,6 @@
-// What slips of the pen make of a number, a vector or a rotation (tools/check/slips.py). It compiles
-// with each type: what does not fit stays as it was. With WORKBOOK_SLIPS_FIT that is an error.
+// What slips of the pen make of a number, a vector or a rotation (tools/check/slips.py).
+// It compiles with each type: what does not fit stays as it was. With WORKBOOK_SLIPS_FIT that is
+// an error.
 #pragma once
 
 #include <type_traits>

@@ -11,8 +11,9 @@
 A mistake is a wrong answer that a check knows: it is compiled as a function of its own, a check
 runs it on its cases, and where it gives a reader's numbers its sentence stands in the report
 (tests/checker/known.h). Of mistakes with the same numbers the first is told; the slips of slips.py
-come after everything else that may be told. The sentence may be continued on lines like those of a change. A heading with {1|2} in it, or {x|y|z}, stands for as
-many answers, one with the first of them in every place, and so on.
+come after everything else that may be told. The sentence may be continued on lines like those of a
+change. A heading with {1|2} in it, or {x|y|z}, stands for as many answers, one with the first of
+them in every place, and so on.
 
 Other wrong answers name what they must be told: a diagnosis by its id, "#sign-of-gravity the sign
 of gravity" in the checker, `a + b` where it is told two; or "words of the report", where these are
@@ -329,13 +330,15 @@ def make_mistakes(solution, files, out, root, refused):
         declared, before, called, name = of_member(before)
         made += [f"namespace mistake_{k} {{", *given, *declared, f'#line 1 "{root}/{shown}"',
                  *before, *one.placed(), f'#line 1 "{root}/{shown}"', *behind, *called, "}"]
-        words, slip = json.dumps(one.told.strip('"'), ensure_ascii=False), str(k > len(known)).lower()
+        words = json.dumps(one.told.strip('"'), ensure_ascii=False)
+        slip = "true" if k > len(known) else "false"
         table.append(f'  {{"{one.id}", {one.region}, {words}, &joints::mistake_{k}::{name}, '
                      f'{slip}}},')
     head = ["// Made by tools/check/answers.py."]
     if made:
         includes = re.findall(r"^#.*", text.partition("namespace joints")[0], re.M)
-        head += ['#include "tests/checker/known.h"', '#include "tests/checker/slips.h"', *includes, "namespace joints {", *made, "}",
+        head += ['#include "tests/checker/known.h"', '#include "tests/checker/slips.h"', *includes,
+                 "namespace joints {", *made, "}",
                  "static const joints::testing::Known known[] = {", *table, "};"]
     exercises.write_if_new(out, "\n".join(head) + "\n")
 

@@ -66,7 +66,11 @@ async function restart() {
   for (const panel of panels)
     Object.assign(panel, {stopped: "", samples: [], errors: null, joints: null, us: 0, used: 0,
                           counted: 0, now: [0, 0, 0], faults: new Map(), scale: Infinity,
-                          printed: ""});
+                          printed: "", driven: []});
+  for (const panel of panels)  // one that cannot be made shows where the scene begins
+    panel.run = {...scene.runs[0], label: panel.label, dt: 1,
+                 frames: scene.runs[0].frames.slice(0, 1)};
+  await compare();
   await ask_all("make", {name: entry.name, settings}, (panel, made) => {
     const known = scene.runs[0];
     panel.run = {label: panel.label, dt: 1, lines: made.lines, marks: made.marks,
@@ -158,7 +162,7 @@ async function choose(name, wanted, {t = 0, iteration, block = 0} = {}) {
     if (tab.name === entry.name)
       $("scenes").scrollLeft = tab.offsetLeft - $("scenes").offsetLeft - 60;
   }
-  $("watch").textContent = [entry.watch, where_they_part()].filter(Boolean).join(" ");
+  $("watch").textContent = entry.watch;
   for (const panel of panels) Object.assign(panel, {kept: [], kept_with: ""});
   look_home();
   await restart();
@@ -197,8 +201,8 @@ async function change(name, value) {
   wrong = refusal = "";
   straight = straight && time === 0;
   for (const panel of panels) panel.errors = null;
-  // Beside a kept curve only whole runs are compared.
-  const fresh = name === "ratio" || !alive().length || panels.some(panel => panel.kept.length);
+  // Beside a kept curve, or another code, only whole runs are compared.
+  const fresh = name === "ratio" || !alive().length || compared() || panels.some(panel => panel.kept.length);
   if (fresh) await restart();
   else if (inside) {
     inside = null;

@@ -9,7 +9,7 @@ const base64 = bytes => {
   return btoa(text);
 };
 
-/// The reader's code of some exercises; the others, and what is not written yet, are the solution's.
+/// The reader's code of some exercises; all else, and what is not written yet, is the solution's.
 function mixed(chapter, text, ids) {
   const solution = answers_in(chapter.solution);
   return replaced(text, region =>

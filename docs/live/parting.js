@@ -62,7 +62,8 @@ async function find_row({name, settings, poses_at}, step) {
   await engine.ask("steps", {count: step});
   const [mine, right] = await Promise.all(poses.map(async one => {
     const {rows} = await engine.ask("rows", {poses: one});
-    return Array.from({length: rows.length / 9}, (_, k) => Array.from(rows.slice(9 * k, 9 * k + 9)));
+    return Array.from({length: rows.length / 9},
+                      (_, k) => Array.from(rows.slice(9 * k, 9 * k + 9)));
   }));
   let most = null;
   for (const [joint, row, body1, body2, error, moves, ...direction] of mine) {
@@ -161,8 +162,9 @@ function parting_words() {
       said.push(`Within ${LONG} s no body is more than ${metres(parted.far)} from its place: too ` +
                 "little to be seen.");
     if (parted.until < Infinity)
-      said.push(`It is shown up to t = ${(parted.until * settings.h).toFixed(2)} s: then your ` +
-                "bodies leave the picture.");
+      said.push(`It is shown up to t = ${(parted.until * settings.h).toFixed(2)} s: a step ` +
+                "later one of your bodies is " +
+                `${amount({moves: 1}, parted.apart[parted.until + 1])} from its place.`);
     if (elsewhere) said.push("They part in the other scenes with a dot, too.");
   }
   return said.join(" ") + (data.report ? `\n${data.report}` : "");
@@ -202,7 +204,8 @@ function paint_parting({pen, view, bodies}, run, other) {
   pen.font = "600 14px system-ui, sans-serif";
   pen.textAlign = at[0] > view.width / 2 ? "right" : "left";
   pen.textBaseline = "middle";
-  const words = `parted at ${parted.t.toFixed(2)} s`, x = at[0] + (at[0] > view.width / 2 ? -22 : 22);
+  const words = `parted at ${parted.t.toFixed(2)} s`;
+  const x = at[0] + (at[0] > view.width / 2 ? -22 : 22);
   for (const [colour, width] of [["--panel", 6], ["--ink", 2.5]]) {
     pen.strokeStyle = style(colour);
     pen.lineWidth = width;

@@ -202,7 +202,8 @@ async function change(name, value) {
   straight = straight && time === 0;
   for (const panel of panels) panel.errors = null;
   // Beside a kept curve, or another code, only whole runs are compared.
-  const fresh = name === "ratio" || !alive().length || compared() || panels.some(panel => panel.kept.length);
+  const fresh = name === "ratio" || !alive().length || compared() ||
+    panels.some(panel => panel.kept.length);
   if (fresh) await restart();
   else if (inside) {
     inside = null;

@@ -127,11 +127,11 @@ function steps_shown(count) {
 }
 
 // ---------------------------------------------------------------------------------- in words
-function direction_words({moves, direction}) {
+function row_words({row, moves, direction}) {
   const length = size(direction), n = direction.map(c => c / length);
   const axis = n.findIndex(c => Math.abs(c) > 0.999);
-  return `${moves ? "along" : "about"} ${axis < 0 ? `(${n.map(c => c.toFixed(2)).join(", ")})`
-    : "xyz"[axis]}`;
+  return `${row ? `row ${row}` : "one-sided row"}, ${moves ? "along" : "about"} ` +
+    `${axis < 0 ? `(${n.map(c => c.toFixed(2)).join(", ")})` : "xyz"[axis]},`;
 }
 const amount = ({moves}, error) => !(Math.abs(error) < 1e3) ? "beyond all bounds"
   : moves ? metres(Math.abs(error))
@@ -153,9 +153,9 @@ function parting_words() {
     else if (!parted.poses_at(parted.step)[0].every(isFinite))
       said.push(`${from}: the places of your bodies are no numbers any more.`);
     else if (row)
-      said.push(`${from}${parted.where.t > parted.t ?
-        `, and at t = ${parted.where.t.toFixed(2)} s it is seen` : ","} at the ringed joint: the ` +
-                `error of its row ${row.row + 1}, ${direction_words(row)}, is ` +
+      said.push(from + (parted.where.t > parted.t ? ", and at " +
+                        `t = ${parted.where.t.toFixed(2)} s it is seen` : ",") +
+                ` at the ringed joint: the error of its ${row_words(row)} is ` +
                 `${amount(row, row.error)}, the solution's ${amount(row, row.other)}.`);
     else said.push(`${from}, at the ringed body. No joint opens there.`);
     if (parted.far < 0.02 * scene_size())

@@ -166,17 +166,19 @@ std::vector<RowLook> LiveRun::rows_now() {
     blocks.clear();
     joint.append(world().bodies, blocks);
     double row = 0;
-    for (const Block& block : blocks.list)
+    for (const Block& block : blocks.list) {
+      const RowSettings& target = block.target;
+      if (!target.holds_position || target.follows != 0) continue;
       for (int i = 0; i < block.rows; ++i) {
         const Row& J = blocks.J[std::size_t(block.first + i)];
         const real C = blocks.C[std::size_t(block.first + i)];
-        const bool allowed = block.target.follows != 0 ||
-                             (i == block.rows - 1 && block.target.one_sided() && C > 0);
+        const bool pushes = i == block.rows - 1 && target.one_sided();
         const bool moves = dot(J.v2, J.v2) > 0;
-        found.push_back({double(number), row++, double(block.body1), double(block.body2),
-                         allowed ? 0 : double(C), double(moves),
+        found.push_back({double(number), pushes ? 0 : ++row, double(block.body1),
+                         double(block.body2), pushes && C > 0 ? 0 : double(C), double(moves),
                          glm::dvec3(moves ? J.v2 : J.w2)});
       }
+    }
   }
   return found;
 }

@@ -19,9 +19,10 @@ struct JointLook {
   double next;               ///< 1 if the next block to be solved is one of its
 };
 
-/// A row of a joint, with the bodies at poses that may be those of another run.
+/// A row of a joint that holds a position, with the bodies at poses that may be another run's.
 struct RowLook {
-  double joint, row;    ///< counted from 0
+  double joint;         ///< counted from 0
+  double row;           ///< counted from 1; 0 for a one-sided row
   double body1, body2;  ///< slots
   double error;         ///< of its position, 0 where a one-sided row allows it [m, rad]
   double moves;         ///< 1: its direction is one of a displacement; 0: an axis of rotation

@@ -17,7 +17,7 @@ def wrong_code_moves_beside_the_solution(root, build):
     said = exercise.scene("document.documentElement.dataset.ready && "
                           "(rested || playing || play(true), rested && !playing)")
     yield from lacks(said, "your 1.1; the solution's 1.2 1.3", "Your code parts from the solution "
-                     "at t = 0.48 s (step 29), at the ringed joint: the error of its row 1",
+                     "at t = 0.48 s (step 29), at the ringed joint: the error of its one-sided row",
                      "It is shown up to t = ", "likely mistake: the sign of the block v1")
     for colour in ([213, 94, 0], [0, 114, 178]):  # of the reader's bodies, of the outline
         seen = exercise.browser.ask(f"""(() => {{

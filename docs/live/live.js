@@ -91,6 +91,7 @@ function show() {
     button.setAttribute("aria-pressed", button.dataset.view === view);
   $("reading").textContent = reading();
   $("hand").hidden = Boolean(settings.own);
+  $("parted").hidden = !is_compared();
   const [words, bad] = says();
   if ($("said").textContent !== words) $("said").textContent = words;  // each change is read out
   $("said").classList.toggle("bad", bad);

@@ -6,9 +6,14 @@ const LONG = 4, SHORT = 1;    // what is compared: of the scene that comes first
 const MOST_COMPARED = 1000;   // steps
 const EQUAL = 1e-6;           // places [m] and quaternions: rounding grows to less in that time
 let parting = [];             // the scenes with a difference, {found, own, far}
-let parted = null;            // the difference() of the run that is shown
+let all_compared = false;     // no other scene has one
+let parted = null;            // the difference() of the scene that is shown
+let parted_with = "";         // and the settings for which it was found
 let rested = false;           // this run has stopped where the reader's bodies leave the picture
 
+// What is known of the run that is shown, unless a setting or a hand has changed it.
+const is_compared = () => parted_with === JSON.stringify(settings);
+const parted_here = () => straight && is_compared() ? parted : null;
 const compared = () => panels.length === 2 && Boolean(data.chapter);
 
 // The poses of all bodies after each step, as far as the code comes.
@@ -87,6 +92,7 @@ async function find_where_they_part(usual) {
       if (one) parting.push({found, own, far: one.far, ended: one.ended && !one.poses_at});
       if (parting.filter(one => one.ended).length > 2) return;  // each may have taken a second
     }
+  all_compared = true;
 }
 // The first in which it can be seen, else the first.
 const first_parting = () => parting.find(({far}) => !(far < 0.1)) || parting[0];
@@ -98,10 +104,11 @@ function has_left(frame) {
   return 2 * moving.filter(x => !x.every(
     (c, i) => c > low[i] - beyond && c < high[i] + beyond)).length > moving.length;
 }
-// Of the run that is about to begin; the engines are to make it anew.
+// The scene as it is about to begin; the engines are to make it anew.
 async function compare() {
-  rested = false;
-  parted = compared() ? await difference(entry.name, settings, LONG) : null;
+  if (!compared()) return;
+  parted = await difference(entry.name, settings, LONG);
+  parted_with = JSON.stringify(settings);
   if (parted?.poses_at && !parted.where) {
     const seen = parted.apart.findIndex(far => !(far < 0.01 * scene_size()));
     const out = parted.apart.findIndex((_, k) => has_left(parted.poses_at(k)[0]));
@@ -112,13 +119,13 @@ async function compare() {
       if (later.row) parted.where = later;
     }
   }
-  $("parted").textContent = compared() ? parting_words() : "";
+  $("parted").textContent = parting_words();
   for (const tab of $("scenes").children)
     tab.classList.toggle("parts", parting.some(({found}) => found.name === tab.name));
 }
 // How many of so many steps to play: where the reader's bodies leave the picture the run rests.
 function steps_shown(count) {
-  if (!(parted?.until < Infinity) || !straight || rested) return count;
+  if (!(parted_here()?.until < Infinity) || rested) return count;
   const left = Math.max(0, parted.until - Math.round(time / settings.h));
   if (left) return Math.min(count, left);
   rested = true;
@@ -140,9 +147,9 @@ const amount = ({moves}, error) => !(Math.abs(error) < 1e3) ? "beyond all bounds
 function parting_words() {
   const elsewhere = parting.some(({found}) => found.name !== entry.name);
   const said = [];
-  if (!parted && elsewhere) {
-    said.push("In this scene your code moves the bodies as the solution does, but not in those " +
-              "with a dot.");
+  if (!parted && (elsewhere || !all_compared)) {
+    said.push("In this scene your code moves the bodies as the solution does" +
+              (elsewhere ? ", but not in those with a dot." : "."));
   } else if (!parted) {
     said.push("Your code moves the bodies of every scene as the solution does." +
               (data.report ? " None of them reaches what the check has found." : ""));
@@ -197,7 +204,7 @@ function place_of_parting(run, bodies) {
 // A ring around that joint, from that moment on: where the reader's bodies are, or, once they have
 // left the picture, the solution's.
 function paint_parting({pen, view, bodies}, run, other) {
-  if (!parted?.where || !straight || (time < parted.t - 1e-9 && !rested)) return;
+  if (!parted_here()?.where || (time < parted.t - 1e-9 && !rested)) return;
   const at = [bodies, bodies_at(other, 0)].map(all => project(view, place_of_parting(run, all)))
     .find(p => on_picture(view, p));
   if (!at) return;

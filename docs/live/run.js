@@ -60,6 +60,7 @@ function take_state(panel, {state, driven}) {
 async function restart() {
   time = owed = 0;
   inside = held = null;
+  rested = false;
   straight = true;
   wrong = refusal = "";
   had = differences();
@@ -70,7 +71,6 @@ async function restart() {
   for (const panel of panels)  // one that cannot be made shows where the scene begins
     panel.run = {...scene.runs[0], label: panel.label, dt: 1,
                  frames: scene.runs[0].frames.slice(0, 1)};
-  await compare();
   await ask_all("make", {name: entry.name, settings}, (panel, made) => {
     const known = scene.runs[0];
     panel.run = {label: panel.label, dt: 1, lines: made.lines, marks: made.marks,
@@ -165,6 +165,7 @@ async function choose(name, wanted, {t = 0, iteration, block = 0} = {}) {
   $("watch").textContent = entry.watch;
   for (const panel of panels) Object.assign(panel, {kept: [], kept_with: ""});
   look_home();
+  await compare();
   await restart();
   refusal = trouble;
   await steps(Math.round(t / settings.h));
@@ -201,9 +202,8 @@ async function change(name, value) {
   wrong = refusal = "";
   straight = straight && time === 0;
   for (const panel of panels) panel.errors = null;
-  // Beside a kept curve, or another code, only whole runs are compared.
-  const fresh = name === "ratio" || !alive().length || compared() ||
-    panels.some(panel => panel.kept.length);
+  // Beside a kept curve only whole runs are compared.
+  const fresh = name === "ratio" || !alive().length || panels.some(panel => panel.kept.length);
   if (fresh) await restart();
   else if (inside) {
     inside = null;

@@ -200,9 +200,10 @@ class Exercise {
     if (first.startsWith(ENDLESS)) return this.live.replaceChildren(
       "No scene: the code does not end.");
     const ids = chapter.ids.filter(id => id === this.id || is_done(id)), shown = this.scene = {};
-    const words = mistake ? `The check says: likely mistake: ${mistake}`
+    const report = mistake ? `The check says: likely mistake: ${mistake}`
       : grade.status === WRONG ? "The check says what is wrong, in the report above." : "";
-    const frame = await live_frame(chapter, text, this.id, ids, words).catch(
+    const known = {right: grade.status === DONE, report};
+    const frame = await live_frame(chapter, text, this.id, ids, known).catch(
       error => `The scene cannot be shown: ${error.message}`);
     if (this.scene === shown && !changed()) this.live.replaceChildren(frame || "");
   }

@@ -21,7 +21,7 @@ const is_written = (text, id) =>
 /// Builds the module; returns a frame with the page, or null where it cannot move anything yet. A
 /// course without solutions waits until all exercises are written.
 /// \param ids the exercises whose code is the reader's
-/// \param report a sentence of the check, if it has found the exercise wrong
+/// \param report what the page is to know of the check: {right} or {report: a sentence}
 export async function live_frame(chapter, text, exercise, ids, report) {
   if (!engine.manifest.sizes["live.xz"] || !is_written(text, exercise)) return null;
   if (!chapter.solution && regions(text).some(is_open)) return null;
@@ -34,7 +34,7 @@ export async function live_frame(chapter, text, exercise, ids, report) {
   const data = JSON.parse(slot.exec(page)[2]);
   data.modules.unshift({label: "yours", wasm: base64(built.wasm)});
   const others = rest.length ? `; the solution's ${rest.join(" ")}` : "";
-  Object.assign(data, {chapter: chapter.number, exercise, report, back: undefined, note: "your " +
+  Object.assign(data, {chapter: chapter.number, exercise, ...report, back: undefined, note: "your " +
     chapter.ids.filter(id => !rest.includes(id)).join(" ") + others});
   const words = JSON.stringify(data).replace(/</g, "\\u003c");
   const made = page.replace(slot, (_, begin, __, end) => begin + words + end);

@@ -172,6 +172,7 @@ function parting_words() {
       said.push(`It is shown up to t = ${(parted.until * settings.h).toFixed(2)} s: a step ` +
                 "later one of your bodies is " +
                 `${amount({moves: 1}, parted.apart[parted.until + 1])} from its place.`);
+    if (data.right) said.push("The check finds your code right: rounding may grow to that.");
     if (elsewhere) said.push("They part in the other scenes with a dot, too.");
   }
   return said.join(" ") + (data.report ? `\n${data.report}` : "");

@@ -18,6 +18,7 @@ const editors = {};                               // by the regions' names
 const file = () => filled(chapter.stub, answers);
 
 const same = (one, other) => JSON.stringify(one) === JSON.stringify(other);
+const POSES = / \((?:pencil and paper|upright|turned|moved|broken)[^)]*\)$/;
 const button = (words, does, more = {}) =>
   element("button", {type: "button", textContent: words, onclick: does, ...more});
 
@@ -200,7 +201,7 @@ class Exercise {
     if (first.startsWith(ENDLESS)) return this.live.replaceChildren(
       "No scene: the code does not end.");
     const ids = chapter.ids.filter(id => id === this.id || is_done(id)), shown = this.scene = {};
-    const report = mistake ? `The check says: likely mistake: ${mistake}`
+    const report = mistake ? `The check says: likely mistake: ${mistake.replace(POSES, "")}`
       : grade.status === WRONG ? "The check says what is wrong, in the report above." : "";
     const known = {right: grade.status === DONE, report};
     const frame = await live_frame(chapter, text, this.id, ids, known).catch(

@@ -63,6 +63,7 @@ function difference(...of) {
 // Of all rows of the solution the one whose error is larger by most with the reader's poses.
 async function find_row({name, settings, poses_at}, step) {
   const [, {engine}] = panels, poses = poses_at(step), {body, far} = farthest(...poses);
+  if (!poses[0].every(isFinite)) return {body, row: null, t: step * settings.h};
   await engine.ask("make", {name, settings});
   await engine.ask("steps", {count: step});
   const [mine, right] = await Promise.all(poses.map(async one => {
@@ -99,7 +100,7 @@ const first_parting = () => parting.find(({far}) => !(far < 0.1)) || parting[0];
 
 // Whether most of the bodies that move are outside of what the camera keeps in view.
 function has_left(frame) {
-  const beyond = 0.3 * scene_size(), {low, high, runs: [{bodies}]} = scene;
+  const beyond = 0.1 * scene_size(), {low, high, runs: [{bodies}]} = scene;
   const moving = bodies.flatMap((body, k) => body.still ? [] : [frame.slice(7 * k, 7 * k + 3)]);
   return 2 * moving.filter(x => !x.every(
     (c, i) => c > low[i] - beyond && c < high[i] + beyond)).length > moving.length;
@@ -113,10 +114,11 @@ async function compare() {
     const seen = parted.apart.findIndex(far => !(far < 0.01 * scene_size()));
     const out = parted.apart.findIndex((_, k) => has_left(parted.poses_at(k)[0]));
     parted.until = out < 0 ? Infinity : out - 1;
-    parted.where = await find_row(parted, parted.step);
-    if (!parted.where.row && seen >= 0) {  // joints may open later
-      const later = await find_row(parted, Math.max(Math.min(seen, parted.until), parted.step));
-      if (later.row) parted.where = later;
+    for (const step of [parted.step, seen, parted.until]) {  // joints may open later
+      const later = step > parted.step && step <= parted.until && step < Infinity;
+      if (parted.where && !later) continue;
+      const where = await find_row(parted, step);
+      if (!parted.where?.row && (where.row || !parted.where)) parted.where = where;
     }
   }
   $("parted").textContent = parting_words();
@@ -135,10 +137,9 @@ function steps_shown(count) {
 
 // ---------------------------------------------------------------------------------- in words
 function row_words({row, moves, direction}) {
-  const length = size(direction), n = direction.map(c => c / length);
-  const axis = n.findIndex(c => Math.abs(c) > 0.999);
-  return `${row ? `row ${row}` : "one-sided row"}, ${moves ? "along" : "about"} ` +
-    `${axis < 0 ? `(${n.map(c => c.toFixed(2)).join(", ")})` : "xyz"[axis]},`;
+  const axis = direction.findIndex(c => Math.abs(c) > 0.999 * size(direction));
+  return (row ? `row ${row}` : "one-sided row") +
+    (axis < 0 ? "" : `, ${moves ? "along" : "about"} ${"xyz"[axis]},`);
 }
 const amount = ({moves}, error) => !(Math.abs(error) < 1e3) ? "beyond all bounds"
   : moves ? metres(Math.abs(error))
@@ -155,7 +156,8 @@ function parting_words() {
               (data.report ? " None of them reaches what the check has found." : ""));
   } else {
     const when = `at t = ${parted.t.toFixed(2)} s (step ${parted.step})`;
-    const {row} = parted.where || {}, from = `Your code parts from the solution ${when}`;
+    const next = parted.apart?.[parted.until + 1], {row} = parted.where || {};
+    const from = `Your code parts from the solution ${when}`;
     if (!parted.poses_at) said.push(`Your code stops ${when}: ${parted.ended}.`);
     else if (!parted.poses_at(parted.step)[0].every(isFinite))
       said.push(`${from}: the places of your bodies are no numbers any more.`);
@@ -170,8 +172,8 @@ function parting_words() {
                 "little to be seen.");
     if (parted.until < Infinity)
       said.push(`It is shown up to t = ${(parted.until * settings.h).toFixed(2)} s: a step ` +
-                "later one of your bodies is " +
-                `${amount({moves: 1}, parted.apart[parted.until + 1])} from its place.`);
+                `later one of your bodies is ${next < 1e3 ? metres(next) : "over a kilometre"} ` +
+                "from its place.");
     if (data.right) said.push("The check finds your code right: rounding may grow to that.");
     if (elsewhere) said.push("They part in the other scenes with a dot, too.");
   }

@@ -69,4 +69,36 @@ void projection_iteration(Chain& chain) {
   // end [exercise 6.3]
 }
 
+// ---- the soft step ----------------------------------------------------------------------------
+
+SoftRow soft_row(real frequency, real damping, real h) {
+  // begin [exercise 6.4]
+  // Return {rate, softness} of Eq. 6-15. std::numbers::pi_v<real> is pi.
+  todo("6.4");
+  // end [exercise 6.4]
+}
+
+void soft_iteration(const JointRows& rows, const SoftRow& soft, vec3& lambda, Body& body1,
+                    Body& body2) {
+  // begin [exercise 6.4]
+  // Compute dlambda of Eq. 6-16, apply it to the bodies and add it to lambda. block_impulse of
+  // exercise 2.3 gives -K^-1 (J V + b) of a hard block with the bias b.
+  todo("6.4");
+  // end [exercise 6.4]
+}
+
+void soft_step(Chain& chain, std::vector<vec3>& impulses, const SoftStep& how, const vec3& gravity,
+               real h) {
+  // begin [exercise 6.4]
+  // Divide h into how.substeps equal parts. In each of them:
+  //  1. integrate_forces(body, gravity, length of the part) for every body;
+  //  2. rows_of(chain), and a warm_start of every joint with its impulse;
+  //  3. one soft_iteration of every joint, in order, with the soft_row of how;
+  //  4. move(chain, length of the part);
+  //  5. how.relax times: one soft_iteration of every joint with SoftRow{}, which is hard and has
+  //     no bias, with the rows of 2.
+  todo("6.4");
+  // end [exercise 6.4]
+}
+
 }  // namespace joints

@@ -50,7 +50,7 @@ void TwoPassImpulses::relax(Bodies& bodies, real h) {
   // The rows are those of the old poses, and so are the velocities: there an impulse changes the
   // angular momenta of two bodies by opposite amounts. In the new poses w follows from them.
   std::swap_ranges(start_.begin(), start_.end(), bodies.data());
-  for (int i = 0; i < relax_iterations; ++i) iterate(bodies);  // Eq. 6-15
+  for (int i = 0; i < relax_iterations; ++i) iterate(bodies);  // Eq. 6-17
   std::swap_ranges(start_.begin(), start_.end(), bodies.data());
   for (int slot = 0; slot < bodies.slots(); ++slot) {
     Body &body = bodies.at(slot), &before = start_[slot];

@@ -87,4 +87,56 @@ void projection_iteration(Chain& chain) {
   // end [exercise 6.3]
 }
 
+// ---- the soft step ----------------------------------------------------------------------------
+
+SoftRow soft_row(real frequency, real damping, real h) {
+  // begin [exercise 6.4]
+  // Return {rate, softness} of Eq. 6-15. std::numbers::pi_v<real> is pi.
+  const real omega = 2 * std::numbers::pi_v<real> * frequency;
+  const real d = 2 * damping + h * omega;
+  return {omega / d, 1 / (h * omega * d)};  // Eq. 6-15
+  // end [exercise 6.4]
+}
+
+void soft_iteration(const JointRows& rows, const SoftRow& soft, vec3& lambda, Body& body1,
+                    Body& body2) {
+  // begin [exercise 6.4]
+  // Compute dlambda of Eq. 6-16, apply it to the bodies and add it to lambda. block_impulse of
+  // exercise 2.3 gives -K^-1 (J V + b) of a hard block with the bias b.
+  const vec3 bias = soft.rate * rows.C;
+  const vec3 hard = block_impulse(rows.J, rows.K, bias, body1, body2);
+  const vec3 dlambda = (hard - soft.softness * lambda) / (1 + soft.softness);  // Eq. 6-16
+  apply_impulse(rows.J, dlambda, body1, body2);
+  lambda += dlambda;
+  // end [exercise 6.4]
+}
+
+void soft_step(Chain& chain, std::vector<vec3>& impulses, const SoftStep& how, const vec3& gravity,
+               real h) {
+  // begin [exercise 6.4]
+  // Divide h into how.substeps equal parts. In each of them:
+  //  1. integrate_forces(body, gravity, length of the part) for every body;
+  //  2. rows_of(chain), and a warm_start of every joint with its impulse;
+  //  3. one soft_iteration of every joint, in order, with the soft_row of how;
+  //  4. move(chain, length of the part);
+  //  5. how.relax times: one soft_iteration of every joint with SoftRow{}, which is hard and has
+  //     no bias, with the rows of 2.
+  const real part = h / real(how.substeps);
+  const SoftRow spring = soft_row(how.frequency, how.damping, part);
+  std::vector<Body>& bodies = chain.bodies;
+  for (int substep = 0; substep < how.substeps; ++substep) {
+    for (Body& body : bodies) integrate_forces(body, gravity, part);
+    const std::vector<JointRows> rows = rows_of(chain);
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      warm_start(rows[k].J, 1, impulses[k], bodies[k], bodies[k + 1]);
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      soft_iteration(rows[k], spring, impulses[k], bodies[k], bodies[k + 1]);
+    move(chain, part);
+    for (int n = 0; n < how.relax; ++n)
+      for (std::size_t k = 0; k < rows.size(); ++k)
+        soft_iteration(rows[k], SoftRow{}, impulses[k], bodies[k], bodies[k + 1]);  // Eq. 6-17
+  }
+  // end [exercise 6.4]
+}
+
 }  // namespace joints

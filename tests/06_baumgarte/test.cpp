@@ -3,8 +3,9 @@
 #include "tests/06_baumgarte/baumgarte_cases.h"
 #include "tests/06_baumgarte/drawn_cases.h"
 #include "tests/06_baumgarte/safety_cases.h"
-#include "tests/checker/catch.h"
+#include "tests/06_baumgarte/soft_steps.h"
 #include "tests/06_baumgarte/torn_joints.h"
+#include "tests/checker/catch.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -141,4 +142,91 @@ TEST_CASE("6.3 in an iteration each joint is projected at the poses after the on
 
 TEST_CASE("6.3 an iteration projects every joint of a long chain", "[6.3]") {
   check_drawn(iteration_subject, drawn_iteration);
+}
+
+// ---- 6.4 ----------------------------------------------------------------------------------------
+
+TEST_CASE("6.4 a spring of 9.55 Hz removes twenty gaps a second and yields by a third", "[6.4]") {
+  const CaseTable<SoftRowCase> table = soft_row_table();
+  table.check(soft_row_case(30 / std::numbers::pi, 1, 60), {20, 1.0 / 3});  // h omega is 1
+}
+
+TEST_CASE("6.4 a frequency and a damping ratio become a rate and a softness", "[6.4]") {
+  soft_row_table().check();
+}
+
+TEST_CASE("6.4 a soft row has its two numbers in any step", "[6.4]") {
+  check_drawn(soft_row_subject, drawn_soft_row);
+}
+
+// ---- 6.4 the iteration --------------------------------------------------------------------------
+
+TEST_CASE("6.4 a soft joint pulls a body at rest by a part of its gap", "[6.4]") {
+  // 3 kg at its centre, 20 mm off: -3/4 3 kg 20/s 0.02 m
+  const Pair pair{static_body(vec3(0)), body_with(3, vec3(1), vec3(real(0.02), 0, 0))};
+  const JointRows rows{jacobian_from_blocks(mat3(-1), mat3(0), mat3(1), mat3(0)),
+                       mat3(1 / real(3)), vec3(real(0.02), 0, 0)};
+  const vec3 none(0);
+  check_vectors(soft_iteration_table(), {"on paper", rows, {20, 1 / real(3)}, none, pair},
+                flat({vec3(real(-0.9), 0, 0), none, none, vec3(real(-0.3), 0, 0), none}),
+                10 * rounding);
+}
+
+TEST_CASE("6.4 an iteration of a soft block yields to the impulse that it has already", "[6.4]") {
+  check_vectors(soft_iteration_table());
+}
+
+TEST_CASE("6.4 an iteration of a soft block is right in all units", "[6.4]") {
+  check_drawn(soft_iteration_subject, drawn_soft_iteration);
+}
+
+// ---- 6.4 the step -------------------------------------------------------------------------------
+
+TEST_CASE("6.4 a soft step of a chain has its parts in their order", "[6.4]") {
+  soft_step_table().check();
+}
+
+TEST_CASE("6.4 a weight on a soft joint sags by g over omega squared in any number of substeps",
+          "[6.4]") {
+  const auto likely = soft_step_table().likely();
+  for (const int relax : {0, 1})
+    for (const int substeps : {1, 4, 16}) {
+      const Hanging weight{{10, 2, substeps, relax}, 1.0 / 60, vec3(0), vec3(0), {0, -1, 0}};
+      const double sag = -double(gaps_of(weight, 600).back().y);
+      expect_or_say(soft_step_subject, "sag [m], substeps " + std::to_string(substeps), sag,
+                    1 / (400 * std::numbers::pi * std::numbers::pi), is_float ? 1e-5 : 1e-9,
+                    likely);
+    }
+}
+
+TEST_CASE("6.4 without relax iterations a gap swings as the formula of its spring says", "[6.4]") {
+  const auto likely = soft_step_table().likely();
+  for (const int substeps : {1, 4}) {
+    const Hanging free{{5, real(0.1), substeps, 0}, 1.0 / 60, {1, 0, 0}};
+    const auto yours = frequency_and_loss(gaps_of(free, 4), free.h);
+    std::vector<vec3> right;
+    for (int n = 1; n <= 4; ++n)
+      right.push_back({real(gap_by_formula(free, n * substeps, 1, 0, 0)), 0, 0});
+    const auto wanted = frequency_and_loss(right, free.h);
+    const double close = is_float ? 1e-3 : 1e-9;
+    expect_or_say(soft_step_subject, "frequency [Hz]", yours.first, wanted.first, close, likely);
+    expect_or_say(soft_step_subject, "fraction of the energy lost per step", yours.second,
+                  wanted.second, close, likely);
+  }
+}
+
+TEST_CASE("6.4 with a relax iteration a gap closes and never swings", "[6.4]") {
+  const auto likely = soft_step_table().likely();
+  const Hanging torn{{10, real(0.5), 2, 1}, 1.0 / 60, {1, 0, 0}};
+  double before = 1;
+  for (const vec3& gap : gaps_of(torn, 20)) {
+    expect_or_say(soft_step_subject, "gap after a step over the gap before it",
+                  double(gap.x) / before, gap_by_formula(torn, 2, 1, 0, 0),
+                  is_float ? 1e-3 : 1e-9, likely);
+    before = double(gap.x);
+  }
+}
+
+TEST_CASE("6.4 one joint moves by the formula with any settings", "[6.4]") {
+  check_drawn(soft_step_subject, drawn_soft_step);
 }

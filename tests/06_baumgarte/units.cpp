@@ -60,3 +60,30 @@ TEST_CASE("6.3 projection adds displacements to positions and angles to orientat
   in("the iteration", [&] { projection_iteration(chain); }, no_step);
   keeps_poses(chain.bodies[1]);
 }
+
+TEST_CASE("6.4 a soft row has a rate and a pure number", "[6.4]") {
+  const auto row = [] { return soft_row(real(60) / s, real(2) * pure, h); };
+  expect_unit("the rate", in("soft_row", row).rate, 1 / s);
+  expect_unit("the softness", in("soft_row", row).softness, pure);
+}
+
+TEST_CASE("6.4 a soft iteration adds impulses to impulses", "[6.4]") {
+  vec3 lambda = direction1 * (kg * m / s);
+  const JointRows rows{J, mat3(1) * (1 / kg), direction2 * m};
+  keeps_velocities("the soft iteration", [&](Body& a, Body& b) {
+    soft_iteration(rows, {real(20) / s, pure / 3}, lambda, a, b);
+  });
+  expect_unit("lambda", lambda, kg * m / s);
+}
+
+TEST_CASE("6.4 a soft step moves bodies and keeps impulses", "[6.4]") {
+  Chain chain{{body1, body2}, {{lever1, lever2}}};
+  std::vector<vec3> impulses{direction1 * (kg * m / s)};
+  in("the soft step", [&] {
+    soft_step(chain, impulses, {real(60) / s, real(2) * pure, 2, 1}, direction2 * (m / (s * s)), h);
+  });
+  expect_unit("the place x", chain.bodies[1].x, m);
+  expect_unit("the velocity v", chain.bodies[1].v, m / s);
+  expect_unit("the angular velocity w", chain.bodies[1].w, 1 / s);
+  expect_unit("the impulse", impulses[0], kg * m / s);
+}

@@ -42,8 +42,8 @@ class ChainLoop {
     for (iterated_ = 0; iterated_ < settings.iterations && !done; ++iterated_) {
       real change = 0, sum = 0;
       for (std::size_t k = 0; k < rows_.size(); ++k) {
-        const Rows& rows = rows_[k];
-        const vec3 lambda = block_impulse(rows.J, rows.K, rows.bias, bodies[k], bodies[k + 1]);
+        const JointRows& rows = rows_[k];
+        const vec3 lambda = block_impulse(rows.J, rows.K, biases_[k], bodies[k], bodies[k + 1]);
         apply_impulse(rows.J, lambda, bodies[k], bodies[k + 1]);
         impulses_[k] += lambda;
         change = glm::max(change, length(lambda));
@@ -51,11 +51,7 @@ class ChainLoop {
       }
       done = change <= settings.enough * sum;
     }
-    for (Body& body : bodies) {
-      if (body.is_static()) continue;
-      body.x += h * body.v;
-      body.q = turned(body.q, body.w, h);
-    }
+    move(chain, h);
     for (int iteration = 0; iteration < settings.projections; ++iteration)
       projection_iteration(chain);
     h_before_ = h;
@@ -69,24 +65,17 @@ class ChainLoop {
   }
 
  private:
-  // One joint, prepared for the iterations of a step.
-  struct Rows {
-    Jacobian<3> J;
-    mat3 K;
-    vec3 bias;
-  };
   void prepare(real h) {
-    rows_.clear();
-    for (std::size_t k = 0; k < chain.joints.size(); ++k) {
-      const Body &body1 = chain.bodies[k], &body2 = chain.bodies[k + 1];
-      const Point& joint = chain.joints[k];
-      const vec3 C = joint.error(body1, body2);
-      rows_.push_back({joint.jacobian(body1, body2), joint.K(body1, body2), vec3(0)});
-      for (int i = 0; i < 3; ++i) rows_.back().bias[i] = bias(C[i], settings.beta, h);  // Eq. 6-2
+    rows_ = rows_of(chain);
+    biases_.resize(rows_.size());
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      const vec3 C = rows_[k].C;
+      for (int i = 0; i < 3; ++i) biases_[k][i] = bias(C[i], settings.beta, h);  // Eq. 6-2
     }
   }
 
-  std::vector<Rows> rows_;
+  std::vector<JointRows> rows_;
+  std::vector<vec3> biases_;
   int iterated_ = 0;
   std::vector<vec3> impulses_;  // impulse of each joint in the last step [N s]
   real h_before_ = 0;           // the last step [s]

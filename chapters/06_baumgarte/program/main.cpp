@@ -1,9 +1,10 @@
-// Chapter 6's program: four pendulums and a hanging chain, moved by your own bias, warm start and
-// projection. Read it; there is nothing to edit here.
+// Chapter 6's program: four pendulums and a hanging chain, moved by your own bias, warm start,
+// projection and soft step. Read it; there is nothing to edit here.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <deque>
+#include <numbers>
 
 #include "chapters/06_baumgarte/program/chain_loop.h"
 #include "chapters/06_baumgarte/program/program.h"
@@ -144,6 +145,34 @@ void hanging(const Choice& choice) {
   }
 }
 
+// ---- the soft step ------------------------------------------------------------------------------
+
+// The same chain with soft joints: the sag of its end and how far it swings, in the last second.
+void soft(const Choice& choice) {
+  CsvFile table(choice.out + "/soft.csv", {"substeps", "frequency_hz", "relax", "sag_m", "swing_m",
+                                           "predicted_m"});
+  const double pi = std::numbers::pi;
+  for (const auto& [substeps, frequency] : {std::pair(1, 60), {1, 15}, {4, 60}, {16, 240}})
+    for (const int relax : {0, 1}) {
+      Chain chain = cubes(vec3(0, -1, 0), {}).chain;
+      const SoftStep how{real(frequency), 2, substeps, relax};
+      std::vector<vec3> impulses(links, vec3(0));
+      double least = 0, most = -1e300;
+      const int steps = steps_in(choice.seconds / 2, h);
+      for (int n = 1; n <= steps; ++n) {
+        soft_step(chain, impulses, how, {0, real(-9.81), 0}, h);
+        if (n + 60 < steps) continue;
+        const double sag = -links - double(chain.bodies.back().x.y);
+        least = n + 60 == steps ? sag : std::min(least, sag);
+        most = std::max(most, sag);
+      }
+      // joint k of n carries n - k + 1 weights; K is 2/m, and 1/m at the wall: n^2 m g in all
+      table.row({}, {double(substeps), double(frequency), double(relax), (least + most) / 2,
+                     most - least,
+                     links * links * 9.81 / (4 * pi * pi * frequency * frequency)});
+    }
+}
+
 // ---- iterations until the impulses are small ---------------------------------------------------
 
 // A chain that hangs and one that is released level. Each step iterates until no impulse is larger
@@ -186,6 +215,7 @@ int main(int argc, char** argv) {
     std::vector<Summary> lines;
     pendulums(choice, lines);
     hanging(choice);
+    soft(choice);
     stop_early(choice);
     report(lines, choice.out);
   });

@@ -2,6 +2,8 @@
 // There is nothing to edit here.
 #pragma once
 
+#include <numbers>
+
 #include "chapters/01_distance/rods.h"
 #include "chapters/02_ball/ball.h"
 

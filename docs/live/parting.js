@@ -171,9 +171,9 @@ function parting_words() {
       said.push(`Within ${LONG} s no body is more than ${metres(parted.far)} from its place: too ` +
                 "little to be seen.");
     if (parted.until < Infinity)
-      said.push(`It is shown up to t = ${(parted.until * settings.h).toFixed(2)} s: a step ` +
-                `later one of your bodies is ${next < 1e3 ? metres(next) : "over a kilometre"} ` +
-                "from its place.");
+      said.push(`It is shown up to t = ${(parted.until * settings.h).toFixed(2)} s` +
+                (next < Infinity ? ": a step later one of your bodies is " +
+                 `${next < 1e3 ? metres(next) : "over a kilometre"} from its place.` : "."));
     if (data.right) said.push("The check finds your code right: rounding may grow to that.");
     if (elsewhere) said.push("They part in the other scenes with a dot, too.");
   }

@@ -19,16 +19,16 @@ def wrong_code_moves_beside_the_solution(root, build):
     yield from lacks(said, "your 1.1; the solution's 1.2 1.3", "Your code parts from the solution "
                      "at t = 0.48 s (step 29), at the ringed joint: the error of its one-sided row",
                      "It is shown up to t = ", "likely mistake: the sign of the block v1")
-    for colour in ([213, 94, 0], [0, 114, 178]):  # of the reader's bodies, of the outline
-        seen = exercise.browser.ask(f"""(() => {{
-          const canvas = {frame}.document.querySelector("canvas"), pen = canvas.getContext("2d");
-          const {{data}} = pen.getImageData(0, 0, canvas.width, canvas.height), wanted = {colour};
-          let count = 0;
-          for (let k = 0; k < data.length; k += 4)
-            count += wanted.every((c, i) => Math.abs(data[k + i] - c) < 40);
-          return count; }})()""")
-        if seen < 100:
-            yield f"{seen} pixels have the colour {colour}"
+    seen = exercise.browser.ask(f"""(() => {{
+      const canvas = {frame}.document.querySelector("canvas"), pen = canvas.getContext("2d");
+      const {{data}} = pen.getImageData(0, 0, canvas.width, canvas.height), counts = [0, 0];
+      [[213, 94, 0], [0, 114, 178]].forEach((colour, which) => {{  // yours, the outline
+        for (let k = 0; k < data.length; k += 4)
+          counts[which] += colour.every((c, i) => Math.abs(data[k + i] - c) < 40);
+      }});
+      return counts; }})()""")
+    if min(seen) < 100:
+        yield f"pixels of the reader's bodies and of the outline: {seen}"
     if exercise.is_done():
         yield "wrong code is done"
     exercise.write(WRONG.replace(";", "", 1))

@@ -50,7 +50,9 @@ struct PartFunctions {
 };
 
 /// Makes the poses of a check. It need not close the joint: the checker moves the bodies until C
-/// is 0, by differences alone, and it also asks at poses where C is not 0.
+/// is 0, by differences alone, and it also asks at poses where C is not 0. Make the poses in which
+/// the part is used: near half a turn an angle has no slope, so a part with a HingeAngle needs axes
+/// within about two radians of each other.
 using PoseMaker = std::function<PosePair(PoseRandom&)>;
 /// Two bodies of different mass and uneven inertia within 1 m of each other, with any orientations.
 PosePair any_pose(PoseRandom& random);
@@ -88,7 +90,12 @@ PartFunctions functions_of(const P& part) {
 /// Checks a part: whether J is the slope of C, whether its rows are independent, whether they have
 /// the form that it promises, whether K = J M^-1 J^T (if it has one), and whether its forces
 /// conserve momentum and do no work on a motion that keeps C. A note says whether C jumps while a
-/// body is turned once.
+/// body is turned once. Give the part uneven numbers, such as an anchor away from both centres,
+/// because a lever of length 0 hides mistakes.
+///
+/// Look first at the number of poses. J that is right at all of them is right; if it is wrong only
+/// where C is not 0, it is an approximation that later steps correct. If rows are singular at some
+/// poses, decide how the joint behaves there.
 /// \param pose makes the poses at which it is checked
 template <Part P>
 PartReport check_part(const P& part, const PoseMaker& pose = any_pose,

@@ -27,6 +27,7 @@ PIECES = re.compile(
 
 
 MAIN = "docs/mainpage.md"
+EXAMPLES = "library/examples/"
 LIVE = "docs/live/README.md?"  # on a code host; behind it a state of the live page
 
 
@@ -63,6 +64,8 @@ def translate(text, path):
             return f'<a href="live.html#{html.escape(place(url)[len(LIVE):])}">{words}</a>'
         if re.fullmatch(r"(engine|chapters/\w+)/\w+\.h", place(url)):
             return f"[{words}](@ref {topic(place(url))})"
+        if place(url).startswith(EXAMPLES):  # as they are: programs that a reader copies
+            return f'<a href="{os.path.basename(url)}.txt">{words}</a>'
         if not re.fullmatch(r"docs/\w+\.md|CONTRIBUTING\.md|chapters/\w+/(README|hints)\.md"
                             r"|solutions/\w+/answers\.md", place(url)):
             return words  # not a page of the site

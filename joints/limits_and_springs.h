@@ -54,7 +54,9 @@ inline void check(const Motor& motor) {
 }
 
 /// A spring and damper on a coordinate: its force is -stiffness (x - rest) - damping dx/dt, at most
-/// `strength`. Units for an angle; for a displacement N/m, N s/m, m and N.
+/// `strength`. Units for an angle; for a displacement N/m, N s/m, m and N. It has this stiffness
+/// whatever the bodies' masses, and its position at rest is exact. The step is implicit in time and
+/// adds a damping ratio of about omega h/2, so an oscillation dies out: use substeps against it.
 struct Spring {
   real stiffness = 0;         ///< k [N m/rad]
   real damping = 0;           ///< c [N m s/rad]

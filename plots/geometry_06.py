@@ -54,11 +54,11 @@ def leave(ax):
     for place in (before, after, anchor):
         dot(ax, place, BODY2)
     words(ax, (before + after) / 2 + (26, 3), "$\\omega\\,r\\,h$", ARROW)
-    words(ax, (pivot + r * outward + after) / 2 + (-13, 11), "$e$", INK, 15)
+    words(ax, (pivot + r * outward + after) / 2 + (-13, 11), "$\\delta$", INK, 15)
     words(ax, anchor + (-24, 10), "$C$", INK, 15)
     words(ax, pivot + (2, -22), "pivot", BODY1, 12)
     words(ax, pivot + r * direction(first) / 2 + (8, -4), "$r$", FAINT)
-    words(ax, (142, 28), "it ends $e = \\omega^2 r\\,h^2/2$ too far out", FAINT, 11)
+    words(ax, (142, 28), "it ends $\\delta = \\omega^2 r\\,h^2/2$ too far out", FAINT, 11)
 
 
 def cures(ax):

@@ -49,7 +49,7 @@ def cross(ax):
     ax.plot((centre[0] + 8, centre[0] + 112), (centre[1],) * 2, color=FAINT, linewidth=1.2,
             linestyle=":")
     ax.add_patch(Arc(centre, 164, 164, theta1=0, theta2=bend, color=FAINT, linewidth=1.4))
-    words(ax, centre + 96 * direction(bend / 2), "$\\beta$", FAINT)
+    words(ax, centre + 96 * direction(bend / 2), "$\\gamma$", FAINT)
     words(ax, centre + (-17, 78), "$a_1$", BODY1)
     words(ax, centre + pin + (12, -12), "$a_2$", BODY2)
     words(ax, centre + (-70, -32), "body 1", BODY1, 12)
@@ -82,9 +82,9 @@ def gear(ax):
     words(ax, one + (14, -88), "body 1", BODY1, 12)
     words(ax, two + (8, -54), "body 2", BODY2, 12)
     words(ax, one + (24, 82), "$\\theta_1$", BODY1)
-    words(ax, two + (6, 54), "$\\theta_2 = r\\, \\theta_1$", BODY2)
-    words(ax, (390, 56), "here $r = -2$", FAINT, 11.5)
-    words(ax, (390, 28), "$C = \\theta_2 - r\\, \\theta_1$", FAINT, 11.5)
+    words(ax, two + (6, 54), "$\\theta_2 = \\kappa\\, \\theta_1$", BODY2)
+    words(ax, (390, 56), "here $\\kappa = -2$", FAINT, 11.5)
+    words(ax, (390, 28), "$C = \\theta_2 - \\kappa\\, \\theta_1$", FAINT, 11.5)
 
 
 def cone(ax):

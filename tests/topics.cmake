@@ -49,7 +49,7 @@ foreach(number double float)
   target_link_libraries(oracle${suffix} PUBLIC bench_stability${suffix} simd${suffix}
     ${libraries${suffix}} compare${suffix} instruments${suffix} checker${suffix} dense
     PRIVATE workbook_strict)
-  # joints.h, for the examples of tests/library/consumer
+  # joints.h, for the examples of library/examples
   target_include_directories(oracle${suffix} PUBLIC ${PROJECT_SOURCE_DIR}/library)
   target_precompile_headers(oracle${suffix} PRIVATE checker/catch.h oracle/oracle.h)
   foreach(topic ${topics})

@@ -50,4 +50,14 @@ quat turned(const quat& q, const vec3& w, real h) {
   // end [exercise 2.4]
 }
 
+void tumble(Body& body, real h) {
+  // begin [exercise 2.5]
+  // L = angular_momentum(body) is held. With the axes a, m, b of axes_by_moment(body), rotate the
+  // body as Eq. 2-11 says: half about its axis a, all about b, half about a, and then about L. Each
+  // is a call of turned with a rate in world axes; to_world(body, e) is the body's axis e there.
+  // Last, w follows from L and the new orientation.
+  todo("2.5");
+  // end [exercise 2.5]
+}
+
 }  // namespace joints

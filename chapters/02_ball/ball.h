@@ -2,6 +2,9 @@
 // README.md in this folder first. Given: there is nothing to edit here.
 #pragma once
 
+#include <algorithm>
+#include <array>
+
 #include "engine/matrix.h"
 #include "engine/todo.h"
 
@@ -57,6 +60,19 @@ void apply_impulse(const Jacobian<3>& J, const vec3& lambda, Body& body1, Body& 
 /// \param q orientation now, unit length \param w angular velocity [rad/s, world] \param h > 0 [s]
 /// \return the new orientation, unit length
 quat turned(const quat& q, const vec3& w, real h);
+
+/// The body's own axes in the order of their moments, the largest first; 0 is x, 1 is y, 2 is z.
+inline std::array<int, 3> axes_by_moment(const Body& body) {
+  std::array<int, 3> axes{0, 1, 2};
+  const vec3& inverse = body.inverse_inertia_local;
+  std::sort(axes.begin(), axes.end(), [&](int i, int j) { return inverse[i] < inverse[j]; });
+  return axes;
+}
+
+/// Exercise 2.5: the free rotation of a body for h seconds by Eq. 2-11. Changes its q and w; its
+/// angular momentum in the world stays. rotate_freely() of the engine does it in smaller parts.
+/// \param body movable \param h time, also negative [s]
+void tumble(Body& body, real h);
 #endif
 
 }  // namespace joints

@@ -106,6 +106,11 @@ function follow(event) {
     link.target = "_blank";
     return;
   }
+  if (/\.txt$/.test(address)) {  // a program, and no page
+    link.href = site.address(address);
+    link.target = "_blank";
+    return;
+  }
   event.preventDefault();
   if (address.startsWith("#")) return go_to(address.slice(1));
   location.hash = encodeURIComponent(address);

@@ -65,4 +65,24 @@ quat turned(const quat& q, const vec3& w, real h) {
   // end [exercise 2.4]
 }
 
+void tumble(Body& body, real h) {
+  // begin [exercise 2.5]
+  // L = angular_momentum(body) is held. With the axes a, m, b of axes_by_moment(body), rotate the
+  // body as Eq. 2-11 says: half about its axis a, all about b, half about a, and then about L. Each
+  // is a call of turned with a rate in world axes; to_world(body, e) is the body's axis e there.
+  // Last, w follows from L and the new orientation.
+  const vec3 L = angular_momentum(body), inverse = body.inverse_inertia_local;
+  const auto [a, m, b] = axes_by_moment(body);
+  for (const auto& [i, time] : {std::pair(a, h / 2), std::pair(b, h), std::pair(a, h / 2)}) {
+    vec3 axis(0);
+    axis[i] = 1;
+    axis = to_world(body, axis);
+    const real rate = dot(L, axis) * (inverse[i] - inverse[m]);  // Eq. 2-11
+    body.q = turned(body.q, rate * axis, time);
+  }
+  body.q = turned(body.q, inverse[m] * L, h);
+  body.w = inverse_inertia(body) * L;
+  // end [exercise 2.5]
+}
+
 }  // namespace joints

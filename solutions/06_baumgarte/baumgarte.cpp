@@ -93,8 +93,8 @@ SoftRow soft_row(real frequency, real damping, real h) {
   // begin [exercise 6.4]
   // Return {rate, softness} of Eq. 6-15. std::numbers::pi_v<real> is pi.
   const real omega = 2 * std::numbers::pi_v<real> * frequency;
-  const real d = 2 * damping + h * omega;
-  return {omega / d, 1 / (h * omega * d)};  // Eq. 6-15
+  const real xi = 2 * damping + h * omega;
+  return {omega / xi, 1 / (h * omega * xi)};  // Eq. 6-15
   // end [exercise 6.4]
 }
 

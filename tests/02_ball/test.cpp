@@ -4,6 +4,7 @@
 #include "tests/02_ball/block_cases.h"
 #include "tests/02_ball/drawn_cases.h"
 #include "tests/02_ball/rotation_cases.h"
+#include "tests/02_ball/tumble_cases.h"
 #include "tests/checker/fixtures.h"
 
 using namespace joints;
@@ -95,4 +96,69 @@ TEST_CASE("2.4 the new orientation has length 1, even if the old one has not", "
 
 TEST_CASE("2.4 a body turns right by any angle, small ones and several turns", "[2.4]") {
   if (!is_float) check_drawn({"2.4", "turning a body"}, drawn_rotation, 1e-9, 400);
+}
+
+// ---- 2.5 ----------------------------------------------------------------------------------------
+
+TEST_CASE("2.5 about an axis of its own a body rotates as it does at a constant rate", "[2.5]") {
+  // body 2 of the text, upright: 2 rad/s about its least moment for a tenth of a second
+  const Body body = spinning({real(5) / 6, 1, real(5) / 21}, {0, 0, 2});
+  const vec3 none(0);
+  check_vectors(tumble_table(), {"on paper", body, 0.1},
+                flat({vec3(0, 0, std::sin(real(0.1))), vec3(0, 0, 2), none, none, none,
+                      vec3(1, 0, 0)}), 10 * rounding);
+}
+
+TEST_CASE("2.5 a body rotates about its own axes and about its angular momentum", "[2.5]") {
+  check_vectors(tumble_table());
+}
+
+TEST_CASE("2.5 a body of any size tumbles right at any speed, forwards and backwards", "[2.5]") {
+  check_drawn(tumbling, drawn_tumble);
+}
+
+TEST_CASE("2.5 in twenty seconds the angular momentum stays and the energy only swings",
+          "[2.5]") {
+  const auto likely = tumble_table().likely();
+  Random random(26);
+  for (int draw = 0; draw < 3; ++draw) {
+    const Body body = spinning({1, real(0.7), real(0.4)}, real(4) * normalize(random.vector(1)),
+                               random.turn());
+    const auto [energy, momentum] = greatest_changes(body, 1.0 / 60);
+    expect_or_say(tumbling, "greatest change of L, as a fraction", momentum, 0,
+                  is_float ? 1e-3 : 1e-10, likely);
+    expect_or_say(tumbling, "greatest change of the energy, as a fraction", energy, 0, 2e-3,
+                  likely);
+  }
+}
+
+TEST_CASE("2.5 a brick turns over as often as it does in far smaller steps", "[2.5]") {
+  const int right = turnings(rotate_freely, 20, 1.0 / 3000);
+  expect_or_say(tumbling, "turnings about the middle axis in 20 s", turnings(tumble, 20, 1.0 / 60),
+                right, 0.5, tumble_table().likely());
+}
+
+TEST_CASE("2.5 half the step has a quarter of the error", "[2.5]") {
+  if (is_float) return;  // rounding would hide it
+  const auto likely = tumble_table().likely();
+  const Body body = spinning({1, real(0.7), real(0.4)}, {2, 3, -1}, rotation(vec3(1, 2, 3)));
+  const double coarse = off_after_a_second(body, 20), fine = off_after_a_second(body, 40);
+  expect_or_say(tumbling, "error of 20 steps over that of 40", coarse / fine, 4, 0.3, likely);
+}
+
+TEST_CASE("2.5 a wheel tumbles exactly at any speed", "[2.5]") {
+  const Body body = spinning({1, real(0.6), real(0.6)}, {40, 30, -20}, rotation(vec3(1, 2, 3)));
+  Body once = body, often = body;
+  tumble(once, real(0.5));
+  for (int n = 0; n < 50; ++n) tumble(often, real(0.01));
+  expect(tumbling, "q after a step of 0.5 s, beside fifty steps of 0.01 s", once.q, often.q,
+         is_float ? 1e-2 : 1e-10);
+}
+
+TEST_CASE("2.5 a step back undoes a step", "[2.5]") {
+  const Body body = spinning({1, real(0.7), real(0.4)}, {2, 3, -1}, rotation(vec3(1, 2, 3)));
+  Body moved = body;
+  tumble(moved, real(0.2));
+  tumble(moved, real(-0.2));
+  expect(tumbling, "q after a step of 0.2 s and one of -0.2 s", moved.q, body.q, 100 * rounding);
 }

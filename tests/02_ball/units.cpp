@@ -32,3 +32,12 @@ TEST_CASE("2.3 the impulse of a block over a mass is a velocity", "[2.3]") {
 TEST_CASE("2.4 a body turns by an angle that is a pure number", "[2.4]") {
   has_unit("q", pure, [] { return turned(body1.q, body1.w, h); });
 }
+
+TEST_CASE("2.5 a body tumbles by angles that are pure numbers", "[2.5]") {
+  Body body = body2;
+  in("the free rotation", [&] { tumble(body, h); });
+  expect_unit("the orientation q", body.q, pure);
+  expect_unit("the angular velocity w", body.w, 1 / s);
+  expect_unit("the place x", body.x, m);
+  expect_unit("the velocity v", body.v, m / s);
+}

@@ -2,7 +2,7 @@
 // would break them silently is rejected.
 #include "bench/orders.h"
 #include "engine/simd/packed.h"
-#include "tests/library/consumer/symmetric_impulses.h"
+#include "library/examples/symmetric_impulses.h"
 #include "tests/oracle/beside.h"
 #include "tests/oracle/test.h"
 

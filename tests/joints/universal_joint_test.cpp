@@ -1,7 +1,7 @@
 // The joint that docs/library.md makes: its rows are held against differences, as those of the
 // chapters' parts are.
 #include "tests/checker/joint_fixtures.h"
-#include "tests/library/consumer/universal_joint.h"
+#include "library/examples/universal_joint.h"
 #include "tests/oracle/test.h"
 
 namespace {

@@ -1,9 +1,9 @@
 """The library is a package of Debian: package_test.py ROOT BUILD
 
 Packs BUILD, reads what `lintian` says of the package where it is installed, unpacks it into a
-folder, and builds and runs a program of the consumer beside this file with the unpacked files
-alone. Exit status 0 when the package holds what an installation holds, and the program says what
-docs/library.md says; 1 otherwise, 2 for a bad command line, 77 where there is no dpkg or
+folder, and builds and runs programs of library/examples with the unpacked files alone. Exit status
+0 when the package holds what an installation holds, and the programs print what they promise; 1
+otherwise, 2 for a bad command line, 77 where there is no dpkg or
 pkg-config.
 """
 import shutil

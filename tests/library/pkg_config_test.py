@@ -1,30 +1,31 @@
 """The library serves a program that is not built with CMake: pkg_config_test.py ROOT BUILD
 
-Installs BUILD, moves what is installed elsewhere, and builds and runs programs of the consumer
-beside this file with nothing but the compiler and the output of pkg-config, in double and in float.
-Exit status 0 when they say what docs/library.md says, 1 otherwise, 2 for a bad command line, 77
-where there is no pkg-config.
+Installs BUILD, moves what is installed elsewhere, and builds and runs programs of library/examples
+with nothing but the compiler and the output of pkg-config, in double and in float. Exit status 0
+when they print what they promise, 1 otherwise, 2 for a bad command line, 77 where there is no
+pkg-config.
 """
 import os
 import shutil
 import subprocess
 import sys
 
-from library_test import Wrong, call, compiler_of, prove
+from library_test import EXAMPLES_FOLDER, Wrong, call, compiler_of, printed, prove
 
 
 def build_and_run(root, area, compiler, library, prefix):
     """Two programs that pkg-config helps to build with the files below a prefix say their lines."""
     os.environ["PKG_CONFIG_PATH"] = str(prefix / "lib" / "pkgconfig")
     flags, libs = (call("pkg-config", what, library).split() for what in ("--cflags", "--libs"))
-    for program, source in (("door", "main.cpp"), ("arm", "arm.cpp")):
+    for program in ("door", "arm"):
+        source = root / EXAMPLES_FOLDER / f"{program}.cpp"
         made = area / f"{program}_{library}"
         call(compiler, "-std=c++20", "-Wall", "-Wextra", "-Werror",
-             root / "tests" / "library" / "consumer" / source, *flags, *libs, "-o", made)
-        said = call(made).strip()
+             source, *flags, *libs, "-o", made)
+        said = call(made).rstrip("\n")
         print(f"{library}: {said}")
-        if said not in (root / "docs" / "library.md").read_text():
-            raise Wrong("docs/library.md says that a program says something else")
+        if said != printed(source):
+            raise Wrong(f"{program} does not print what its first comment says")
 
 
 def contacts_from_bullet(root, area, compiler):

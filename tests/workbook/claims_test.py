@@ -268,7 +268,30 @@ def titles_are_computed(root, build):
         yield f"nobody notices {planted}"
 
 
-PROOFS = [claims_hold, claims_can_fail, superlatives_are_claims, titles_are_computed]
+HUB = r"\eta = \left( \frac{\sigma\, \eta}{(1 + \sigma)\, \eta - 1} \right)^n"
+
+
+def factors_of_a_hub(root, build):
+    """the factors of an iteration at a hub satisfy the equation of the methods next door"""
+    if HUB not in read(root / "docs/next_door.md"):
+        yield "docs/next_door.md: the equation of the hub is another one than here"
+    directions = np.exp(2j * np.pi * np.arange(12) / 12)
+    for sigma in (0.01, 0.1, 1.0):
+        A = sigma * np.eye(12) + 1
+        eta = np.linalg.eigvals(-np.linalg.solve(np.tril(A), np.triu(A, 1)))
+        eta = eta[abs(eta) > 1e-6]  # one of the twelve is 0
+        if len(eta) != 11 or max(abs(eta - (sigma * eta / ((1 + sigma) * eta - 1))**12)) > 1e-9:
+            yield f"sigma = {sigma}: the factors are {eta}"
+        slowest = eta[np.argmax(abs(eta))]
+        if sigma < 1 and abs(np.angle(slowest)) < 1 - abs(slowest):
+            yield f"sigma = {sigma}: the slowest pattern turns by less than it shrinks"
+        away = abs(eta[:, None] - (1 - sigma * (1 - directions))).min(axis=1)
+        if sigma < 0.1 and max(away) > 0.1 * sigma:
+            yield f"sigma = {sigma}: the factors do not lie near the circle"
+
+
+PROOFS = [claims_hold, claims_can_fail, superlatives_are_claims, titles_are_computed,
+          factors_of_a_hub]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

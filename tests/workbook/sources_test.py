@@ -27,7 +27,8 @@ def may_include(path):
     folders = ["engine"] + [f"chapters/{n:02}_" for n in range(1, last + 1)]
     if not chapter or "program" in path.parts:
         folders += ["joints", "contacts", "direct", "reduced", "comparison"]
-    folders += {"bench": ["bench"], "tests": ["bench", "checker", "tests", "docs"],
+    folders += {"bench": ["bench"], "tests": ["bench", "checker", "tests", "docs",
+                                              "library/examples"],
                 "docs": ["bench", "docs"]}.get(path.parts[0], [])
     return lambda of: of.startswith(tuple(folders))
 
@@ -36,7 +37,7 @@ def layers_hold(root, build):
     """everybody includes only what lies below: engine, chapters in their order, joints, programs"""
     for path in files(root, ".cpp", ".h"):
         name = path.relative_to(root)
-        if "consumer" in name.parts:  # programs outside
+        if "examples" in name.parts:  # programs outside
             continue
         allowed = may_include(name)
         for header in re.findall(r'^\s*#include "([^"]+)"', read(path), re.M):

@@ -1,11 +1,12 @@
 """The texts: headings, equations, links, errata: texts_test.py ROOT BUILD"""
 import re
 import sys
+from collections import Counter
 
 from proofs import (beyond, files, folded, house, main, prose, read, regions, section, sections,
                     would_change)
 
-from keep import copied, tabled
+from keep import tabled
 from website import experiments, gallery
 
 HEADINGS = ["Goal", "Derivation", "Numbers", "Code", "Exercises", "Check", "Predict", "See it",
@@ -135,12 +136,78 @@ def words_of_the_field_are_explained(root, build):
         yield f"docs/notation.md does not explain: {word}"
 
 
+BRACES = r"\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}"
+NO_LETTERS = re.compile(  # words, indices, transposes and inverses, functions, sizes of brackets
+    rf"\\(?:text|mathrm|operatorname|tag|begin|end){BRACES}|_(?:{BRACES}|\\\w+|\w)"
+    r"|\^(?:T\b|\{-1\})|\\(?:left|right|[bB]ig[lr]?)")
+LETTER = re.compile(r"\\([A-Za-z]+)|(?<![\\a-zA-Z])([a-zA-Z])(?![a-zA-Z])")
+GREEK = set("""alpha beta gamma delta varepsilon zeta eta theta kappa lambda mu nu xi rho sigma tau
+    phi varphi chi psi omega ell Delta Omega""".split())
+# Where a chapter uses a letter for two things, both of which the field writes so.
+TWICE = {("a", 11), ("beta", 6), ("k", 6), ("omega", 7), ("v", 3), ("v", 4), ("x", 4)}
+MOST_MEANINGS = 3  # of a letter in all chapters
+
+
+def letters_of(formula):
+    """The letters of a formula, without those of indices; d/dt and the axes x, y, z are none."""
+    if formula.strip() in ("x", "y", "z"):
+        return set()
+    bare = re.sub(r"\\frac\{d(\w?)\}\{dt\}", r"\1 ", NO_LETTERS.sub(" ", formula))
+    found = {command or letter for command, letter in LETTER.findall(bare)}
+    return {letter for letter in found if len(letter) == 1 or letter in GREEK}
+
+
+def letters_in(text):
+    """Those of all formulas of a text."""
+    text = re.sub(r"<!--.*?-->", "", text, flags=re.S)
+    blocks = re.findall(r"^```math\n(.*?)^```", text, re.M | re.S)
+    text = re.sub(r"^```.*?^```|`[^`\n]*`", "", text, flags=re.M | re.S)
+    return set().union(*map(letters_of, blocks + re.findall(r"\$([^$]+)\$", text)))
+
+
+def listed_letters(text):
+    """[(letter, chapters, meaning)] of the table of docs/notation.md."""
+    for line in dict(sections(text, "##"))["Letters"].split("\n"):
+        if line.startswith("| $"):
+            symbols, meaning, where, *_ = (cell.strip() for cell in line.split("|")[1:])
+            ends = [[int(n) for n in part.split(" to ")] for part in where.split(",")]
+            chapters = {n for first, *last in ends for n in range(first, (last or [first])[0] + 1)}
+            for letter in set().union(*({symbol.strip()} if symbol in "xyz" else letters_of(symbol)
+                                        for symbol in re.findall(r"\$([^$]+)\$", symbols))):
+                yield letter, chapters, meaning
+
+
+def letters_are_listed(root, build):
+    """docs/notation.md lists every letter of the chapters' formulas and no other, each once"""
+    listed = list(listed_letters(read(root / "docs/notation.md")))
+    used = {(letter, chapter.number) for chapter in house.chapters()
+            for letter in letters_in(read(chapter.text))}
+    indices = {letter for letter, _, meaning in listed if meaning.startswith("index")}
+    known = {(letter, number) for letter, chapters, _ in listed for number in chapters}
+    for letter, number in sorted(used ^ known, key=str):
+        if (letter, number) in used or letter not in indices:
+            yield f"docs/notation.md: {letter} of chapter {number}: " + \
+                ("not listed" if (letter, number) in used else "the chapter has no such letter")
+    meant = Counter((letter, number) for letter, chapters, meaning in listed
+                    for number in chapters if not meaning.startswith("index"))
+    twice = {place for place, count in meant.items() if count > 1}
+    for letter, number in sorted(twice ^ TWICE):
+        yield f"{letter} has {meant[letter, number]} meanings in chapter {number}"
+    for letter, count in Counter(letter for letter, _, meaning in listed
+                                 if not re.match("index|any", meaning)).items():
+        if count > MOST_MEANINGS:
+            yield f"docs/notation.md: {letter} has {count} meanings"
+    planted = "$Q_i \\cdot x^T$ and `$Z$`, along $z$\n```math\n\\psi \\tag{1}\n```"
+    if letters_in(planted) != {"Q", "x", "psi"}:
+        yield "the letters of a planted formula are not found"
+
+
 def quotations_are_exact(root, build):
     """code that a text quotes from a file, <!-- from FILE -->, stands there as it is"""
     yield from would_change("listings", root, build)
-    for path in sorted((root / copied.WHOLE).iterdir()):
-        if f"<!-- from {path.relative_to(root)} -->" not in read(root / "docs/library.md"):
-            yield f"docs/library.md does not quote {path.relative_to(root)}"
+    for path in sorted((root / "library" / "examples").iterdir()):
+        if f"](../{path.relative_to(root)})" not in read(root / "docs/library.md"):
+            yield f"docs/library.md does not lead to {path.relative_to(root)}"
 
 
 def lines_can_be_edited(root, build):
@@ -151,6 +218,21 @@ def lines_can_be_edited(root, build):
         longest = max(text.split("\n"), key=len)
         yield from beyond(f"{path.relative_to(root)}: {longest[:30]}...", len(longest), 200,
                           "letters")
+
+
+def folds_are_named_as_they_are(root, build):
+    """every fold that docs/teaching.md recommends or leaves out is one of its chapter"""
+    titles = {c.number: " ".join(re.findall(r"<summary>([^<]*)", read(c.text))).lower()
+              for c in house.chapters()}
+    named = dict(sections(read(root / "docs/teaching.md"), "##"))["Folds"].partition("* **")[2]
+    found = re.findall(r"(\d+)(?: and (\d+))?: ([^;.]+)", folded(named))
+    for *numbers, names in found:
+        for number in filter(None, numbers):
+            for name in names.split(", "):
+                if name.lower() not in titles[int(number)]:
+                    yield f"docs/teaching.md: chapter {number} has no fold '{name}'"
+    if len(found) < 10:
+        yield f"docs/teaching.md names only {len(found)} chapters with folds"
 
 
 def changes_begin_with_the_version(root, build):
@@ -173,8 +255,8 @@ PROOFS = [changes_begin_with_the_version, texts_have_their_headings, questions_h
           equations_exist,
           texts_keep_the_solution, links_lead_somewhere, thesis_is_listed,
           errata_are_shown,
-          words_of_the_field_are_explained, quotations_are_exact, code_beside_a_scene_is_there,
-          lines_can_be_edited]
+          words_of_the_field_are_explained, letters_are_listed, quotations_are_exact,
+          code_beside_a_scene_is_there, folds_are_named_as_they_are, lines_can_be_edited]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

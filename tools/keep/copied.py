@@ -8,7 +8,6 @@ import re
 from base import exercises
 
 QUOTATION = re.compile(r"<!-- from (\S+) -->\n+```\w+\n(.*?)^```$", re.M | re.S)
-WHOLE = "tests/library/consumer/"  # programs of others, which are quoted whole
 
 
 def quoted(text, root):
@@ -20,7 +19,7 @@ def quoted(text, root):
             faults.append((line, f"there is no {match[1]} to quote"))
             continue
         source = file.read_text(encoding="utf-8")
-        code = source if match[1].startswith(WHOLE) else found_again(match[2], source)
+        code = found_again(match[2], source)
         if code is None:
             faults.append((line, f"{match[2].splitlines()[0]} stands not once in {match[1]}"))
         elif code != match[2]:

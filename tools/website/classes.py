@@ -59,6 +59,8 @@ def with_formulas(pages):
 
 INCLUDES = "<p><code>#include &lt;"  # after the description of a type
 LIBRARY = ROOT / "docs" / "library.md"
+EXAMPLES = sorted((ROOT / "library" / "examples").iterdir(),
+                  key=lambda path: (path.name != "door.cpp", path.name))  # the simplest hinge
 CLASS = r"(?:struct|class)joints_1_1(\w+)\.html"
 GROUPS = (("use", "To use", "What a program with joints names; the programs of "
            '<a href="docs_library.html">the joints in your own program</a> are made of it.'),
@@ -68,7 +70,8 @@ GROUPS = (("use", "To use", "What a program with joints names; the programs of "
 
 def group_of(name):
     """In which of GROUPS a type stands, by the file that declares it."""
-    if re.search(rf"\b{name}\b", LIBRARY.read_text(encoding="utf-8")):
+    used = re.compile(rf"\b{name}\b")
+    if any(used.search(path.read_text(encoding="utf-8")) for path in [LIBRARY, *EXAMPLES]):
         return "use"
     declared = re.compile(rf"^(?:struct|class) {name}\b[^;]*$", re.M)
     contracts = (path / f"{path.name[3:]}.h" for path in ROOT.glob("chapters/[0-9]*"))
@@ -96,7 +99,7 @@ def list_of_types(page):
 def uses():
     """{HingeJoint: (where from, lines)}: how the programs add each joint, the library's first."""
     found = {}
-    for path in [LIBRARY, *sorted(ROOT.glob("chapters/*/program/*"))]:
+    for path in [*EXAMPLES, *sorted(ROOT.glob("chapters/*/program/*"))]:
         text = path.read_text(encoding="utf-8")
         for use in re.finditer(r"^ *(?:auto&|\w+&) (\w+) =\s*[^;{}]*?\badd<(\w+)>[^;]*;"
                                r"(?:\s*(?=\1\.)[^;{}]*;)*", text, re.M):
@@ -113,7 +116,7 @@ def with_uses(pages):
         page = f"classjoints_1_1{name}.html"
         if page in pages:
             words = ('<a href="docs_library.html">the joints in your own program</a>'
-                     if path == LIBRARY else f"<code>{path.relative_to(ROOT)}</code>")
+                     if path in EXAMPLES else f"<code>{path.relative_to(ROOT)}</code>")
             shown = "".join(f'<div class="line">{escape(line)}</div>' for line in lines.split("\n"))
             made[page] = pages[page].replace(INCLUDES, (
                 f'<p>An example, from {words}:</p><div class="fragment">{shown}</div>'

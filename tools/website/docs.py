@@ -61,7 +61,7 @@ def make_header(out):
 
 
 def copy_pictures(html, pages):
-    """Pictures beside the pages: the filter names them by their place in the repository."""
+    """Pictures and programs beside the pages, named as the filter names them."""
     for page, text in pages.items():
         for name in set(re.findall(r'<img src="([\w./-]+/[\w.-]+)"', text)):
             if not (ROOT / name).is_file():
@@ -69,6 +69,8 @@ def copy_pictures(html, pages):
             copy(ROOT / name, html / name)
     for figure in figures.FIGURES.glob("[0-9]*.png"):
         copy(figure, html / "plots" / figure.name)
+    for program in classes.EXAMPLES:  # as text, so that a browser shows it
+        copy(program, html / f"{program.name}.txt")
 
 
 def short_names(pages, tags):

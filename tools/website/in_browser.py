@@ -31,7 +31,7 @@ SEARCHES = {
     "conservation of energy": "the-cost-energy", "is it deterministic": "docs_library-save",
     "how long does the course take": "index.html", "what is a jacobian": "chapters_01",
     "spring stiffness": "docs_library-springs", "install on windows": "docs_browser",
-    "license": "docs_browser", "thread safe": "docs_library-good-to-know",
+    "license": "docs_browser", "thread safe": "docs_library-what-you-may",
     "solver comparison": "beside-the-published-engines", "constraint": "chapters_01",
     "schur complement": "chapters_09", "changelog": "docs_upgrading"}
 # All that is asked of a page at the width of a telephone: how wide it is, which listings stand

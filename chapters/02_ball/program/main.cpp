@@ -216,7 +216,7 @@ void spin(const std::string& out) {
       table.row({method}, {n * double(h), double(twice_energy / dot(start, L)),
                            double(length(lost) / length(L)), double(now.y)});
       if (method == "momentum kept") {
-        integrate_pose(body, h);
+        tumble(body, h);  // yours
         continue;
       }
       vec3 w = now;

@@ -2,36 +2,36 @@
 //         std::numbers::pi_v<real> * frequency ==> frequency
 // mistake "the 2 is forgotten: omega_0 is 2 pi f": 2 * std::numbers::pi_v<real> * ==>
 //         std::numbers::pi_v<real> *
-// mistake "the 2 of 2 zeta is forgotten in d": 2 * damping + ==> damping +
-// mistake "the damping is forgotten: d is 2 zeta + h omega_0": 2 * damping + h ==> h
-// mistake "h omega_0 is forgotten in d: without it the spring is not taken at the end of the step":
-//         2 * damping + h * omega ==> 2 * damping
-// mistake "h is forgotten in d: d has no unit, 2 zeta + h omega_0": + h * omega ==> + omega
-// mistake "h is forgotten in the softness: 1/(h omega_0 d)": (h * omega * d) ==> (omega * d)
-// mistake "the softness upside down: a stiff spring yields little, 1/(h omega_0 d)": 1 / (h * omega
-//         * d) ==> h * omega * d
-// mistake "d is forgotten in the softness: 1/(h omega_0 d)": (h * omega * d) ==> (h * omega)
-// mistake "omega_0 is forgotten in the softness: 1/(h omega_0 d)": (h * omega * d) ==> (h * d)
-// mistake "the rate upside down: omega_0/d": omega / d, ==> d / omega,
-// mistake "d is forgotten in the rate: omega_0/d": {omega / d ==> {omega
-// mistake "the rate is multiplied by h: it is omega_0/d, and beta would be h times that": {omega /
-//         d ==> {h * omega / d
-// mistake "the rate is zero: that is a damper without a spring": {omega / d ==> {0
-// mistake "the softness is zero: that is Baumgarte's row, with beta = h omega_0/d": 1 / (h * omega
-//         * d)}; ==> 0};
+// mistake "the 2 of 2 zeta is forgotten in xi": 2 * damping + ==> damping +
+// mistake "the damping is forgotten: xi is 2 zeta + h omega_0": 2 * damping + h ==> h
+// mistake "h omega_0 is forgotten in xi: without it the spring is not taken at the end of the
+//         step": 2 * damping + h * omega ==> 2 * damping
+// mistake "h is forgotten in xi: xi has no unit, 2 zeta + h omega_0": + h * omega ==> + omega
+// mistake "h is forgotten in the softness: 1/(h omega_0 xi)": (h * omega * xi) ==> (omega * xi)
+// mistake "the softness upside down: a stiff spring yields little, 1/(h omega_0 xi)": 1 / (h *
+//         omega * xi) ==> h * omega * xi
+// mistake "xi is forgotten in the softness: 1/(h omega_0 xi)": (h * omega * xi) ==> (h * omega)
+// mistake "omega_0 is forgotten in the softness: 1/(h omega_0 xi)": (h * omega * xi) ==> (h * xi)
+// mistake "the rate upside down: omega_0/xi": omega / xi, ==> xi / omega,
+// mistake "xi is forgotten in the rate: omega_0/xi": {omega / xi ==> {omega
+// mistake "the rate is multiplied by h: it is omega_0/xi, and beta would be h times that": {omega /
+//         xi ==> {h * omega / xi
+// mistake "the rate is zero: that is a damper without a spring": {omega / xi ==> {0
+// mistake "the softness is zero: that is Baumgarte's row, with beta = h omega_0/xi": 1 / (h * omega
+//         * xi)}; ==> 0};
 // mistake "1/60 in the place of h: a substep is shorter": const real omega ==> h = real(1) / 60;
 //         const real omega
-// mistake "rate and softness are exchanged: first the rate": {omega / d, 1 / (h * omega * d)} ==>
-//         {1 / (h * omega * d), omega / d}
+// mistake "rate and softness are exchanged: first the rate": {omega / xi, 1 / (h * omega * xi)} ==>
+//         {1 / (h * omega * xi), omega / xi}
 // mistake "this is 1/(1 + softness), the factor of the hard impulse: the softness is 1/(h omega_0
-//         d)": 1 / (h * omega * d) ==> h * omega * d / (1 + h * omega * d)
-// mistake "this is softness/(1 + softness), the factor of lambda: the softness is 1/(h omega_0 d)":
-//         1 / (h * omega * d) ==> 1 / (1 + h * omega * d)
+//         xi)": 1 / (h * omega * xi) ==> h * omega * xi / (1 + h * omega * xi)
+// mistake "this is softness/(1 + softness), the factor of lambda: the softness is 1/(h omega_0
+//         xi)": 1 / (h * omega * xi) ==> 1 / (1 + h * omega * xi)
 // wrong drawn-cut: const real omega ==> if (h > 100) h = 100; const real omega
-// right soft row from k and c: const real d = 2 * damping + h * omega; return {omega / d, 1 / (h *
-//         omega * d)}; ==> const real k = omega * omega, c = 2 * damping * omega; return {k / (c +
-//         h * k), 1 / (h * (c + h * k))};
-// wrong units "the softness is in s": (h * omega * d) ==> (omega * d)
+// right soft row from k and c: const real xi = 2 * damping + h * omega; return {omega / xi, 1 / (h
+//         * omega * xi)}; ==> const real k = omega * omega, c = 2 * damping * omega; return {k / (c
+//         + h * k), 1 / (h * (c + h * k))};
+// wrong units "the softness is in s": (h * omega * xi) ==> (omega * xi)
 
 // region 2
 // mistake "the impulse that it has already is forgotten: softness times lambda is subtracted":

@@ -1,5 +1,8 @@
 // A swinging chain is saved and restored. It then repeats its motion bit by bit, and so does a
 // second chain that was built in the same way. Exit status 1 if one of them moves differently.
+// Prints:
+//   after a second: 5 J lost, an iteration multiplies an error by 0.94
+//   the next second, repeated and in the other world: the same
 #include <cstdio>
 
 #include <joints.h>

@@ -1,6 +1,11 @@
 // A shaft drives another one through a universal joint, at an angle of 30 degrees: the second is
 // alternately faster and slower than the first. The solver is selected by its name. Exit status 1
 // if the ratio of their speeds does not range from cos 30 degrees to its inverse.
+// Prints:
+//   rows      the second shaft turns 0.866 to 1.155 times as fast
+//   packed    the second shaft turns 0.866 to 1.155 times as fast
+//   direct    the second shaft turns 0.866 to 1.155 times as fast
+//   symmetric the second shaft turns 0.866 to 1.155 times as fast
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

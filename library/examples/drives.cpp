@@ -1,5 +1,10 @@
 // A suspension with the spring and the damper of a data sheet, an arm on a servo, and a load on a
 // winch. Exit status 1 if one of them rests elsewhere.
+// Prints:
+//   the suspension sags 98.1 mm under 1962 N
+//   the servo holds the arm at 60.00 degrees with 7.36 N m
+//   the rope is 2.01 m long and pulls with 49.05 N
+//   the shoulder lifts the arm with 29.4 N
 #include <cmath>
 #include <cstdio>
 #include <numbers>

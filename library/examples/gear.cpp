@@ -1,6 +1,31 @@
 // A gear with a mistake in its row, and the report of the checker; then the gear without the
 // mistake, driven by a motor. Exit status 1 unless the checker rejects the first one and accepts
 // the second, and its wheels keep their ratio for many turns.
+// Prints:
+//   right  poses: C becomes 0 from 40 of 40 poses.
+//   WRONG  J
+//   Pose: closed (C is 0). Numeric: how fast C really changes.
+//
+//     entry        yours         numeric       error
+//     C, w1.z      0.500000      2.000000     -1.500000
+//
+//           v1   w1   v2   w2     (x wrong, . right)
+//     C     ...  ..x  ...  ...
+//
+//   Fails at all poses.
+//   None of the usual mistakes explains it (closed): compare it with the
+//   equation, entry by entry.
+//   Seen: in row C, w1 is 0.25 times the slope at every pose.
+//   right  rank: The rows remove 1 degree of freedom at all poses.
+//   right  momentum: C changes when both bodies move as one, so the joint
+//                    exchanges momentum with the world: right only for parts of
+//                    a fixed machine.
+//   WRONG  power: The forces do work on motions that keep C (0 of 40 poses are
+//                 right): they drive or brake what the joint leaves free.
+//   note   turns: C jumps by 12.6 while a body is turned once about itself.
+//                 Beyond that place the joint pulls the other way. A part that
+//                 turns so far has to count its turns (CountingJoint).
+//   the wheels have turned by 50.0 and -100.0 rad
 #include <cmath>
 #include <cstdio>
 

@@ -1,4 +1,6 @@
 // A crate slides over the ground until friction stops it. Exit status 1 if it stops elsewhere.
+// Prints:
+//   the crate stops after 1.598 m, on 4 corners
 #include <cmath>
 #include <cstdio>
 

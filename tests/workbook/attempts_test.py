@@ -60,15 +60,16 @@ def no_result_is_forged(root, build):
                   + c.answer("1.2", "return 0;", stub))
         for id_, code in attempts.BORROWED.items():
             c.put(f"borrowed_{id_}/{FILE}", c.answer(id_, code, stub))
-        c.put(f"leak/{FILE}", attempts.LEAK + c.answer(
-            "1.2", 'throw std::runtime_error(leak);', stub))
+        c.put(f"leak/{FILE}", attempts.LEAK + c.answer(  # beside one that has to be left out
+            "1.2", "throw std::runtime_error(leak);", c.answer("1.5", "return nonsense;", stub)))
         yield from c.grade("", 1, "submissions")
         for name, row in c.table().items():
             if name != "done in all" and (float(row["points"]) or "wrong" not in row.values()):
                 yield f"{name}: {list(row.values())}: {c.feedback(name)[:900]}"
-        for line in ("row_impulse(rows[k].J", "Eq. 1-12\n  return", "return {-n, vec3(0)"):
-            if line in c.result("leak", ".md").read_text():
-                yield f"the feedback shows a solution: {line}"
+        if not c.feedback("leak").count("begin [exercise"):
+            yield f"the feedback shows nothing of the file: {c.feedback('leak')}"
+        if "glm::max(before" in c.feedback("leak"):
+            yield "the feedback shows a solution"
 
 
 def answer_of(text, id_):

@@ -34,6 +34,8 @@ WRAPPED = (
     *(("large ones cut off", "testing::below({}, " + most + ")", "")
       for most in ("1e2", "1e4", "1e6")))
 LEFT = ("unit", "small ones left out", "large ones cut off")  # change no unit vector
+PURE = set("cross dot skew to_world to_local direction normalize length inverse transpose max min "
+           "clamp sqrt abs sin cos acos asin atan2 exp2 pow vec3 mat3 quat outerProduct".split())
 IS_UNIT = re.compile(r"(direction|normalize|turned)\(|(n|a|b|c|a1|a2|t1|axis|direction)$")
 
 
@@ -225,7 +227,11 @@ class Slips:
                          f"{short(self.words(p, s))}" if name == "cross" else "")
 
     def name(self, k):
-        token, before = self.token[k], set(self.token[:k]) | self.head
+        token = self.token[k]
+        members = {self.token[i] for i in range(1, len(self.at))
+                   if self.token[i - 1] in (".", "->")}
+        before = self.head | {self.token[i] for i in range(k) if self.token[i + 1] != "("
+                              and self.token[i - 1] not in (".", "->")}
         if not re.match(r"[A-Za-z_]", token):
             return
         declared = self.token[k + 1] in ("=", "{") and self.token[k - 1] not in (".", "->")
@@ -233,7 +239,8 @@ class Slips:
         if digit := re.search(r"[12](?=_local$|$)", token):
             others.append(token[:digit.start()] + "21"[int(digit[0]) - 1] + token[digit.end():])
         for other in others:
-            known = other in (self.token if self.token[k - 1] == "." else before)
+            known = other in (members if self.token[k - 1] in (".", "->") else before) \
+                and self.token[k + 1] != "("
             self.add("another place", k, k, other, f"{other} stands where {token} belongs"
                      if known and not declared else "")
         if token in PARTNERS:
@@ -267,7 +274,8 @@ class Slips:
         if control in ("if", "for", "while") or constant or words[0] == "{" or \
                 re.match(r"(const|return|for|if|while)\b|&?\w+( =|\{)", words):
             return
-        reference = self.token[k] in ("(", ",") and re.fullmatch(r"(\w+|.*sum)", words) or \
+        reference = self.token[k] in ("(", ",") and control not in PURE and \
+            re.fullmatch(r"[\w.\[\]>-]+", words) or \
             self.token[k] == "=" and "&" in self.token[max(0, k - 3):k]
         for kind, around, said in WRAPPED:
             if not (control in UNITS and kind in ("twice", "half", "unit") or

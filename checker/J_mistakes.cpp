@@ -212,14 +212,27 @@ std::vector<std::string> wrong_turns(const Pair& pair,
   return out;
 }
 
-void add_named(Sample& sample, const Wrong& wrong, double tolerance) {
+namespace {
+
+void add_to(std::vector<std::string>& named, const Sample& sample, const Wrong& wrong,
+            double tolerance) {
   for (const auto& [words, numbers] : wrong)
     if (close(sample.yours, numbers, tolerance) && !close(sample.right, numbers, tolerance))
-      sample.mistakes.push_back(words);
+      named.push_back(words);
+}
+
+}  // namespace
+
+void add_named(Sample& sample, const Wrong& wrong, double tolerance) {
+  add_to(sample.mistakes, sample, wrong, tolerance);
+}
+void add_slips(Sample& sample, const Wrong& wrong, double tolerance) {
+  add_to(sample.slips, sample, wrong, tolerance);
 }
 Sample jacobian_sample(int pose, const Seen& part, const Pair& pair, const Numbers& right) {
   Sample sample{pose, part.J(pair), right, {}, part.broken};
   if (close(sample.yours, right, difference_tolerance)) return sample;
+  if (part.slips) add_slips(sample, part.slips(pair), difference_tolerance);
   const Wrong own = own_Js(part, pair), levers = wrong_levers(rows_of(right), pair);
   add_named(sample, own, difference_tolerance);
   sample.own = long(sample.mistakes.size());

@@ -171,6 +171,7 @@ Numbers whole_K(const Numbers& J, const Pair& pair) {
 Sample K_sample(int pose, const Seen& part, const Pair& pair, const Numbers& right) {
   Sample sample{pose, part.K(pair), right, {}, part.broken};
   if (close(sample.yours, right, K_tolerance)) return sample;
+  if (part.K_slips) add_slips(sample, part.K_slips(pair), K_tolerance);
   const Numbers J = part.slope(pair);
   add_named(sample, part.K_mistakes ? part.K_mistakes(pair) : Wrong{}, K_tolerance);
   sample.own = long(sample.mistakes.size());

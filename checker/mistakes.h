@@ -28,5 +28,6 @@ std::vector<std::string> wrong_turns(const Pair& pair,
 /// Adds the mistakes that explain all numbers of a sample. A mistake that has no effect at its pose
 /// explains nothing.
 void add_named(Sample& sample, const Wrong& wrong, double tolerance);
+void add_slips(Sample& sample, const Wrong& wrong, double tolerance);
 
 }  // namespace joints::testing

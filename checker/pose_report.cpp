@@ -71,16 +71,38 @@ void tell_zeros_apart(const std::vector<const Sample*>& wrong, std::vector<Sampl
     }
 }
 
+// The first that all of the samples tell; "" where there is none.
+std::string told_by_all(const std::vector<Sample*>& samples,
+                        std::vector<std::string> Sample::* told) {
+  for (const std::string& words : samples.front()->*told)
+    if (std::all_of(samples.begin(), samples.end(), [&](const Sample* s) {
+          return std::find((s->*told).begin(), (s->*told).end(), words) != (s->*told).end();
+        }))
+      return words;
+  return "";
+}
+
+// A slip that explains all samples stands in the place of mistakes none of which does.
+void ask_slips(const std::vector<Sample*>& wrong) {
+  if (!told_by_all(wrong, &Sample::mistakes).empty()) return;
+  if (const std::string words = told_by_all(wrong, &Sample::slips); !words.empty())
+    for (Sample* s : wrong) s->mistakes = {words};
+}
+
 // The poses at which it holds, and the likely mistake at the others.
 std::string verdict(std::vector<Sample>& samples, double tolerance,
                     const std::vector<std::string>& rows, decltype(guess_J) guess) {
   std::vector<const Sample*> right, wrong;
+  std::vector<Sample*> to_tell;
   for (Sample& s : samples) {
     const bool holds = close(s.yours, s.right, tolerance);
     (holds ? right : wrong).push_back(&s);
-    if (!holds) guess(s, tolerance, rows);
+    if (holds) continue;
+    guess(s, tolerance, rows);
+    to_tell.push_back(&s);
   }
   tell_zeros_apart(wrong, samples);
+  ask_slips(to_tell);
   std::vector<std::string> holds = poses_of(right);
   const std::vector<std::string> fails = poses_of(wrong);
   std::erase_if(holds, [&](const std::string& pose) {

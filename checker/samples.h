@@ -35,6 +35,7 @@ struct Sample {
   std::vector<std::string> mistakes;  ///< everything that would explain yours, in words
   PoseWords broken = {};
   long own = 0;  ///< how many of these, the first, are the fixture's own words
+  std::vector<std::string> slips = {};  ///< asked where no mistake explains all samples
 };
 
 /// How far a K may be from J M^-1 J^T with J by differences.
@@ -84,6 +85,7 @@ struct Seen {
   std::function<Wrong(const Pair&)> mistakes = nullptr;    ///< the fixture's own, of J
   std::function<Wrong(const Pair&)> K_mistakes = nullptr;  ///< and of K
   PoseWords broken = {};
+  std::function<Wrong(const Pair&)> slips = nullptr, K_slips = nullptr;
 };
 Sample jacobian_sample(int pose, const Seen& part, const Pair& pair, const Numbers& right);
 Sample K_sample(int pose, const Seen& part, const Pair& pair, const Numbers& right);

@@ -335,10 +335,13 @@ def grade(args):
 
 
 @command("hand-out DIR", "for a class: the workbook without solutions and known answers",
-         argument("folder", metavar="DIR", help="a new folder"))
+         argument("folder", metavar="DIR", help="a new folder"),
+         argument("--update", action="store_true",
+                  help="it is an older edition: renew it, except for exercise files and for "
+                       "solutions that are handed out"))
 def hand_out(args):
     from classroom import hand_out as edition
-    return edition.hand_out(house.CALLED_FROM / args.folder)
+    return (edition.update if args.update else edition.hand_out)(house.CALLED_FROM / args.folder)
 
 
 FIRST = {"status", "test", "run", "bench", "grade"}  # of their groups in the overview

@@ -2,7 +2,7 @@
 // tests say of them. Without the compiler, which only a button loads, the page is the site's.
 import * as engine from "./engine.js";
 import * as store from "./store.js";
-import {show_live} from "./scene.js";
+import {live_frame} from "./scene.js";
 import {element, offer_file, unkept} from "./file.js";
 import {keep_offline, text as text_of, where_in_page} from "./where.js";
 
@@ -18,6 +18,7 @@ const editors = {};                               // by the regions' names
 const file = () => filled(chapter.stub, answers);
 
 const same = (one, other) => JSON.stringify(one) === JSON.stringify(other);
+const POSES = / \((?:pencil and paper|upright|turned|moved|broken)[^)]*\)$/;
 const button = (words, does, more = {}) =>
   element("button", {type: "button", textContent: words, onclick: does, ...more});
 
@@ -110,7 +111,8 @@ class Exercise {
   }
   /// Whether report and mark are those of the present lines.
   refresh() {
-    this.report.classList.toggle("stale", !same(this.about, this.part(answers)));
+    const stale = !same(this.about, this.part(answers));
+    for (const one of [this.report, this.live]) one.classList.toggle("stale", stale);
     this.title.classList.toggle("done", is_done(this.id));
   }
   /// Its lines are others: what is said of those before goes.
@@ -173,6 +175,7 @@ class Exercise {
     this.check.textContent = "Checking";
     const began = performance.now(), built = await engine.build_tests(chapter, text);
     if (!built.wasm) {
+      this.live.replaceChildren();
       const {text: words, line, words: short} = refused(built.printed, chapter, text);
       if (!changed()) this.mark(line, short);
       return this.say(words, "bad", sent);
@@ -186,13 +189,24 @@ class Exercise {
     this.place.dataset.verdict = grade.status;
     this.place.dataset.took = performance.now() - began;
     refresh();
-    if (grade.status !== DONE || changed()) return;
-    const next = next_of(this.id);
+    if (changed()) return;
+    const next = grade.status === DONE && next_of(this.id);
     if (next) this.report.append(" Next: ", element("a", {
       href: `${next.page}#exercise-${next.id}`, textContent: `exercise ${next.id}`}));
-    await show_live(this.live, chapter, text, this.id).catch(error => {
-      this.live.textContent = `The scene cannot be shown: ${error.message}`;
-    });
+    this.show_scene(text, grade, changed);  // the button does not wait for it
+  }
+  /// The scene with the code that was checked, right or wrong, unless it has changed meanwhile.
+  async show_scene(text, grade, changed) {
+    const first = grade.failures[0]?.report || "", mistake = named(first);
+    if (first.startsWith(ENDLESS)) return this.live.replaceChildren(
+      "No scene: the code does not end.");
+    const ids = chapter.ids.filter(id => id === this.id || is_done(id)), shown = this.scene = {};
+    const report = mistake ? `The check says: likely mistake: ${mistake.replace(POSES, "")}`
+      : grade.status === WRONG ? "The check says what is wrong, in the report above." : "";
+    const known = {right: grade.status === DONE, report};
+    const frame = await live_frame(chapter, text, this.id, ids, known).catch(
+      error => `The scene cannot be shown: ${error.message}`);
+    if (this.scene === shown && !changed()) this.live.replaceChildren(frame || "");
   }
   async ask_units(grade, text) {
     if (!engine.manifest.sizes["units.xz"]) return;

@@ -53,8 +53,8 @@ export function offer_file(place, chapter, file, replace, homeless) {
     element("h3", {textContent: `Your file: ${name}`}),
     element("p", {textContent: "Where the text says ./wb test or ./wb hint, press Check or Hint " +
                                "at the exercise. Where it says ./wb see or ./wb live, look at " +
-                               "the scene below an exercise that is right. ./wb run and " +
-                               "./wb plot need a terminal."}),
+                               "the scene below a checked exercise. ./wb run and ./wb plot " +
+                               "need a terminal."}),
     element("p", {}, element("span", {className: "kept",
                                       textContent: "What you write is kept in this browser. "}),
             unkept(), ` The file is the one that ./wb takes as ${chapter.path}. `,

@@ -4,6 +4,7 @@
 if (typeof module !== "undefined") Object.assign(globalThis, require("./regions.js"));
 
 const DONE = "done", OPEN = "not written yet", WAITS = "waits for", WRONG = "wrong";
+const ENDLESS = "it did not end within 2 seconds";
 const WORST = [DONE, WAITS, OPEN, WRONG];
 const MOST_LINES = 12;  // of what an answer prints
 
@@ -48,7 +49,7 @@ const STOPS = [[/call stack|recursion/i, "stack is full"], [/out of bounds/, "SI
 const LIBRARY = /^.*_LIBCPP_ASSERT '.*' failed/;
 function crash(result, words) {
   if (result.ended === "endless")
-    return "it did not end within 2 seconds: a loop without an end?";
+    return `${ENDLESS}: a loop without an end?`;
   if (result.ended === "exit")
     return "the program ended in the middle of a test: does the code call exit()?";
   const said = result.printed.split("\n").filter(line => LIBRARY.test(line)).join("\n");

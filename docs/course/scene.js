@@ -1,4 +1,4 @@
-// The live page with the reader's code beside the solution's, below an exercise that is right.
+// The live page with the reader's code over the solution's, below an exercise that was checked.
 import * as engine from "./engine.js";
 import * as where from "./where.js";
 
@@ -9,33 +9,38 @@ const base64 = bytes => {
   return btoa(text);
 };
 
-/// What is not written yet is taken from the solution.
-function mixed(chapter, text) {
-  const solution = answers_in(chapter.solution), mine = regions(text);
-  const open = new Set(mine.filter(is_open).map(region => region.id));
-  return {ids: chapter.ids.filter(id => !open.has(id)),
-          text: replaced(text, region => open.has(region.id) ? solution[name_of(region)] : null)};
+/// The reader's code of some exercises; all else, and what is not written yet, is the solution's.
+function mixed(chapter, text, ids) {
+  const solution = answers_in(chapter.solution);
+  return replaced(text, region =>
+    ids.includes(region.id) && !is_open(region) ? null : solution[name_of(region)]);
 }
+const is_written = (text, id) =>
+  regions(text).some(region => region.id === id && !is_open(region));
 
-/// Builds the module and shows the page in a frame; an exercise that is wrong elsewhere in the file
-/// moves the bodies wrongly, too. In a course without solutions it waits until all are written.
-export async function show_live(place, chapter, text, exercise) {
-  if (!engine.manifest.sizes["live.xz"]) return;
-  const {ids, text: whole} = mixed(chapter, text);
-  if (!chapter.solution && ids.length < chapter.ids.length) return;
+/// Builds the module; returns a frame with the page, or null where it cannot move anything yet. A
+/// course without solutions waits until all exercises are written.
+/// \param ids the exercises whose code is the reader's
+/// \param report what the page is to know of the check: {right} or {report: a sentence}
+export async function live_frame(chapter, text, exercise, ids, report) {
+  if (!engine.manifest.sizes["live.xz"] || !is_written(text, exercise)) return null;
+  if (!chapter.solution && regions(text).some(is_open)) return null;
+  const whole = chapter.solution ? mixed(chapter, text, ids) : text;
+  const rest = chapter.solution ? chapter.ids.filter(id => !ids.includes(id)) : [];
   const built = await engine.build_live(chapter, whole);
   if (!built.wasm) throw new Error(`The scene cannot be built:\n${built.printed}`);
   const page = await where.text("live.html");
   const slot = /(<script type="application\/json" id="data">)([^<]*)(<\/script>)/;
   const data = JSON.parse(slot.exec(page)[2]);
   data.modules.unshift({label: "yours", wasm: base64(built.wasm)});
-  Object.assign(data, {chapter: chapter.number, exercise, note: `your ${ids.join(" ")}`,
-                       back: undefined});
+  const others = rest.length ? `; the solution's ${rest.join(" ")}` : "";
+  Object.assign(data, {chapter: chapter.number, exercise, ...report, back: undefined, note: "your " +
+    chapter.ids.filter(id => !rest.includes(id)).join(" ") + others});
   const words = JSON.stringify(data).replace(/</g, "\\u003c");
   const made = page.replace(slot, (_, begin, __, end) => begin + words + end);
   const dark = document.documentElement.classList.contains("dark-mode");
   const address = URL.createObjectURL(new Blob([made], {type: "text/html"}));
-  place.replaceChildren(Object.assign(document.createElement("iframe"), {
+  return Object.assign(document.createElement("iframe"), {
     title: "A scene that moves with your code", className: "live",
-    src: `${address}#theme=${dark ? "dark" : "light"}`}));
+    src: `${address}#theme=${dark ? "dark" : "light"}`});
 }

@@ -15,7 +15,7 @@ namespace {
 
 std::unique_ptr<LiveRun> live_run;
 std::string text;
-std::vector<double> numbers;
+std::vector<double> numbers, other_poses;
 PageSettings page_settings;
 
 // A list in JSON; `one` appends each element.
@@ -157,6 +157,19 @@ EXPORT(wb_look)(int iterations, int blocks) -> int {
     numbers.insert(numbers.end(), {one.body1, one.body2, one.place.x, one.place.y, one.place.z,
                                    one.error, one.impulse.x, one.impulse.y, one.impulse.z,
                                    one.next});
+  return int(numbers.size());
+}
+/// Where the page writes the poses of all bodies, of another run at the same time.
+EXPORT(wb_poses)() -> double* {
+  other_poses.resize(7 * live_run->scene().shapes.size());
+  return other_poses.data();
+}
+/// What the rows of this code say of those poses, 9 numbers each; returns how many numbers.
+EXPORT(wb_rows)() -> int {
+  numbers.clear();
+  for (const RowLook& one : live_run->rows_at(other_poses))
+    numbers.insert(numbers.end(), {one.joint, one.row, one.body1, one.body2, one.error, one.moves,
+                                   one.direction.x, one.direction.y, one.direction.z});
   return int(numbers.size());
 }
 /// The number of blocks of the next step.

@@ -79,8 +79,10 @@ function show() {
   for (const panel of panels) {
     panel.painted = draw(panel, scene, 0);
     if (!panel.painted) continue;
+    if (compared()) paint_outline(panel.painted, panels[1].run);
     if (inside && panel.joints) paint_inside(panel.painted, panel.joints, panel.first_error);
     else if (isFinite(panel.now[2])) paint_joints(panel.painted, panel.run, panel.driven);
+    if (compared()) paint_parting(panel.painted, panel.run, panels[1].run);
     if (held?.panel === panel) paint_hand(panel.painted, held);
   }
   plots.gap($("gap"), panels, time);
@@ -89,6 +91,7 @@ function show() {
     button.setAttribute("aria-pressed", button.dataset.view === view);
   $("reading").textContent = reading();
   $("hand").hidden = Boolean(settings.own);
+  $("parted").hidden = !is_compared();
   const [words, bad] = says();
   if ($("said").textContent !== words) $("said").textContent = words;  // each change is read out
   $("said").classList.toggle("bad", bad);
@@ -118,7 +121,7 @@ function tick(now) {
       Object.assign(pace, {wall: now, time});
     }
     if (panels.every(gone)) play(false);  // there is nothing to be seen any more
-    const count = playing ? Math.floor(owed / settings.h + 1e-9) : 0;
+    const count = playing ? steps_shown(Math.floor(owed / settings.h + 1e-9)) : 0;
     if (count) {
       owed -= count * settings.h;
       busy = true;
@@ -174,7 +177,7 @@ async function from_address() {
   let own = null;
   if (data.chapter && !name) {
     await find_where_they_part(usual);
-    ({found, own} = parting[0] || {found: usual, own: Number(usual.own)});
+    ({found, own} = first_parting() || {found: usual, own: Number(usual.own)});
   }
   found ||= usual;
   const wanted = settings_from(address, about, found, told);
@@ -191,38 +194,6 @@ async function from_address() {
 // What a chapter's exercises do most in, besides a scene.
 const of_chapter = own => data.chapter === 9 ? {direct: 1, ...with_direct} : {own};
 
-// Beside the solution: the scenes in which the reader's code moves the bodies otherwise, those that
-// the chapter opens first; a second of each is run.
-let parting = [];
-async function find_where_they_part(usual) {
-  parting = [];
-  if (panels.length < 2) return;
-  const first = [usual, ...about.scenes.filter(each => each !== usual)];
-  for (const found of first)
-    for (const own of found.own ? [1, 0] : [0]) {
-      if (parting.some(one => one.found === found)) continue;
-      const settings = {...own_settings(about, found), ...of_chapter(own)};
-      const ends = await Promise.all(panels.map(async ({engine}) => {
-        try {
-          await engine.ask("make", {name: found.name, settings});
-          return (await engine.ask("steps", {count: Math.round(1 / settings.h)})).state;
-        } catch (error) {
-          if (error instanceof Refused) return null;
-          throw error;
-        }
-      }));
-      const [mine, right] = ends;
-      if (right && !(mine && mine.every((x, k) => Math.abs(x - right[k]) < 1e-6)))
-        parting.push({found, own, ended: !mine});
-      if (parting.filter(one => one.ended).length > 2) return;  // each may have taken a second
-    }
-}
-function where_they_part() {
-  if (panels.length < 2 || !data.chapter) return "";
-  const names = parting.map(({found}) => found.title).join(", ");
-  return names ? `Your code moves the bodies differently from the solution in: ${names}.`
-    : "Your code moves the bodies of every scene as the solution does.";
-}
 const keys = {" ": () => play(!playing), ArrowRight: () => $("one").click(),
               i: () => $("iteration").click(), b: () => $("block").click()};
 
@@ -244,6 +215,14 @@ async function start() {
   panels = data.modules.map(make_panel);
   document.documentElement.classList.toggle("beside", panels.length > 1);
   $("stage").replaceChildren(...panels.map(panel => panel.figure));
+  if (compared()) {  // one picture for both
+    const [mine, right] = panels.map(panel => panel.figure);
+    right.hidden = true;
+    const swatch = right.querySelector("i");
+    Object.assign(swatch.style, {background: "none", border: `2px solid ${
+      rgb(colours["the solution"], 0.5)}`});
+    mine.firstChild.append(", solid", swatch, "the solution, outline");
+  }
   about = (await Promise.all(panels.map(panel => panel.engine.about))).at(-1);
   for (const each of about.scenes) {
     const tab = Object.assign(document.createElement("button"),
@@ -304,7 +283,15 @@ async function start() {
     $("scenes").addEventListener("click", skip);  // it is about one scene
   }
   const resting = matchMedia("(prefers-reduced-motion: reduce)").matches;
-  if (!first_address.has("t") && !first_address.has("iteration") && !resting) play(true);
+  if (!first_address.has("t") && !first_address.has("iteration") && !resting) {
+    if (compared() && framed)  // a short motion is not to be over before it is seen
+      new IntersectionObserver(([{isIntersecting}], observer) => {
+        if (!isIntersecting) return;
+        observer.disconnect();
+        play(true);
+      }, {threshold: 0.5}).observe($("stage"));
+    else play(true);
+  }
   show();
   document.documentElement.dataset.ready = "yes";
 }

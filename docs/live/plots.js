@@ -103,6 +103,8 @@ function over_time(canvas, panels, now, title, place, {log, least = 1e-9} = {}) 
                   ...panels.map(panel => curve(panel.samples, panel_colour(panel)))];
   const values = curves.flatMap(one => one.points.map(point => point[1]));
   const y = log ? [-6, Math.max(0, ...values.filter(isFinite).map(Math.ceil))] : span(values, least);
+  if (parted_here()?.t >= x[0])
+    curves.push({points: y.map(end => [parted.t, end]), colour: style("--ink"), dashed: true});
   const grey = panels[0].kept_with ? `; grey: kept, ${panels[0].kept_with}` : "";
   plot(canvas, {title: title + grey, x, y, log, curves, x_unit: "s"});
 }

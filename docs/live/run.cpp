@@ -157,6 +157,45 @@ void LiveRun::within(int iterations, int blocks, const std::function<void()>& lo
   restore(world(), as_it_was);
 }
 
+std::vector<RowLook> LiveRun::rows_now() {
+  std::vector<RowLook> found;
+  Blocks blocks;
+  for (std::size_t number = 0; number < world().joints().size(); ++number) {
+    Joint& joint = *world().joints()[number];
+    joint.begin_step(world().bodies, h_sub());
+    blocks.clear();
+    joint.append(world().bodies, blocks);
+    double row = 0;
+    for (const Block& block : blocks.list) {
+      const RowSettings& target = block.target;
+      if (!target.holds_position || target.follows != 0) continue;
+      for (int i = 0; i < block.rows; ++i) {
+        const Row& J = blocks.J[std::size_t(block.first + i)];
+        const real C = blocks.C[std::size_t(block.first + i)];
+        const bool pushes = i == block.rows - 1 && target.one_sided();
+        const bool moves = dot(J.v2, J.v2) > 0;
+        found.push_back({double(number), pushes ? 0 : ++row, double(block.body1),
+                         double(block.body2), pushes && C > 0 ? 0 : double(C), double(moves),
+                         glm::dvec3(moves ? J.v2 : J.w2)});
+      }
+    }
+  }
+  return found;
+}
+
+std::vector<RowLook> LiveRun::rows_at(const std::vector<double>& poses) {
+  const State as_it_was = save(world());
+  for (std::size_t k = 0; k < scene().shapes.size() && 7 * k + 6 < poses.size(); ++k) {
+    const auto at = [p = &poses[7 * k]](int i) { return real(p[i]); };
+    Body& body = world().bodies.at(int(k));
+    body.x = vec3(at(0), at(1), at(2));
+    body.q = quat(at(3), at(4), at(5), at(6));
+  }
+  const std::vector<RowLook> found = rows_now();
+  restore(world(), as_it_was);
+  return found;
+}
+
 int LiveRun::blocks() {
   int count = 0;
   within(0, 0, [&] { count = int(world().blocks.list.size()); });

@@ -19,6 +19,16 @@ struct JointLook {
   double next;               ///< 1 if the next block to be solved is one of its
 };
 
+/// A row of a joint that holds a position, with the bodies at poses that may be another run's.
+struct RowLook {
+  double joint;         ///< counted from 0
+  double row;           ///< counted from 1; 0 for a one-sided row
+  double body1, body2;  ///< slots
+  double error;         ///< of its position, 0 where a one-sided row allows it [m, rad]
+  double moves;         ///< 1: its direction is one of a displacement; 0: an axis of rotation
+  glm::dvec3 direction;  ///< [1, world]
+};
+
 /// A scene, its solver, its time.
 class LiveRun {
  public:
@@ -47,6 +57,9 @@ class LiveRun {
   /// The joints within the next step, after so many iterations and blocks more. The run is left as
   /// it was.
   std::vector<JointLook> look(int iterations, int blocks);
+  /// What this code's rows say of other poses. The run is left as it was.
+  /// \param poses of each body x and q (w, x, y, z) [m, world]
+  std::vector<RowLook> rows_at(const std::vector<double>& poses);
   int blocks();  ///< the number of blocks of the next step's beginning
   /// The largest velocity error of a joint after 0, 1, 2 ... iterations of the next step [m/s,
   /// rad/s].
@@ -55,6 +68,7 @@ class LiveRun {
   double rate(int most);
 
  private:
+  std::vector<RowLook> rows_now();
   void within(int iterations, int blocks, const std::function<void()>& look);
   std::vector<JointLook> joints_now(int blocks) const;
   Solver& solver();

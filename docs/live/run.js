@@ -60,13 +60,17 @@ function take_state(panel, {state, driven}) {
 async function restart() {
   time = owed = 0;
   inside = held = null;
+  rested = false;
   straight = true;
   wrong = refusal = "";
   had = differences();
   for (const panel of panels)
     Object.assign(panel, {stopped: "", samples: [], errors: null, joints: null, us: 0, used: 0,
                           counted: 0, now: [0, 0, 0], faults: new Map(), scale: Infinity,
-                          printed: ""});
+                          printed: "", driven: []});
+  for (const panel of panels)  // one that cannot be made shows where the scene begins
+    panel.run = {...scene.runs[0], label: panel.label, dt: 1,
+                 frames: scene.runs[0].frames.slice(0, 1)};
   await ask_all("make", {name: entry.name, settings}, (panel, made) => {
     const known = scene.runs[0];
     panel.run = {label: panel.label, dt: 1, lines: made.lines, marks: made.marks,
@@ -158,9 +162,10 @@ async function choose(name, wanted, {t = 0, iteration, block = 0} = {}) {
     if (tab.name === entry.name)
       $("scenes").scrollLeft = tab.offsetLeft - $("scenes").offsetLeft - 60;
   }
-  $("watch").textContent = [entry.watch, where_they_part()].filter(Boolean).join(" ");
+  $("watch").textContent = entry.watch;
   for (const panel of panels) Object.assign(panel, {kept: [], kept_with: ""});
   look_home();
+  await compare();
   await restart();
   refusal = trouble;
   await steps(Math.round(t / settings.h));

@@ -93,14 +93,24 @@ const answers = {
     return state();
   },
   steps,
-  // A recording of a run's beginning, for the camera.
+  // A recording of a run's beginning, for the camera and to compare runs; as far as it comes.
   record({count, every}) {
     const frames = [];
-    for (let k = 0; k <= count; ++k) {
-      if (k) module.wb_step(1);
-      if (k % every === 0) frames.push(Array.from(numbers(module.wb_state()).slice(3)));
+    try {
+      for (let k = 0; k <= count; ++k) {
+        if (k) module.wb_step(1);
+        if (k % every === 0) frames.push(Array.from(numbers(module.wb_state()).slice(3)));
+      }
+    } catch (error) {
+      return {frames, ended: ended(error)};
     }
     return {frames, state: numbers(module.wb_state())};
+  },
+  // The errors of this code's rows, with the bodies at these poses.
+  rows({poses}) {
+    const to = module.wb_poses();
+    new Float64Array(memory.buffer, to, poses.length).set(poses);
+    return {rows: numbers(module.wb_rows())};
   },
   grab({body, point}) { module.wb_grab(body, ...point); return {}; },
   move({point}) { module.wb_move(...point); return {}; },
@@ -121,12 +131,17 @@ const plainly = [
   [/call stack/, "the code calls itself without end"]];
 const in_words = message => plainly.find(([what]) => what.test(message))?.[1] || message;
 
+// The sentence for an error; the module is a fresh one where it may be broken.
+function ended(error) {
+  const sentence = error.sentence || (module ? text(module.wb_sentence()) : "");
+  if (compiled && !error.harmless) begin();
+  return sentence || in_words(String(error.message || error));
+}
+
 self.onmessage = ({data}) => {
   try {
     self.postMessage({id: data.id, ...answers[data.what](data)});
   } catch (error) {
-    const sentence = error.sentence || (module ? text(module.wb_sentence()) : "");
-    if (compiled && !error.harmless) begin();
-    self.postMessage({id: data.id, refused: sentence || in_words(String(error.message || error))});
+    self.postMessage({id: data.id, refused: ended(error)});
   }
 };

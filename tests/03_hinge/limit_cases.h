@@ -58,7 +58,8 @@ inline CaseTable<LimitCase> limit_table() {
       limit_case(-none, 2, 1.5, -30),  limit_case(-1, none, -0.5, 30),
       limit_case(-10, 10, 9.9, 3),     limit_case(-10, 10, 7, 0),     // more than a whole turn
       limit_case(1, 1, 1.5, 0),        limit_case(1, 1, 0.5, 0),      // held
-      limit_case(1, 1, 1.5, -4),       limit_case(1, 1, 0.5, 4)};
+      limit_case(1, 1, 1.5, -4),       limit_case(1, 1, 0.5, 4),
+      limit_case(-1, 2, -0.989995, -1e-4), limit_case(-1, 2, 1.989995, 1e-4)};  // live by the rate
   table.tolerance = 10 * rounding;
   return table;
 }

@@ -29,6 +29,10 @@ inline CaseTable<TurnsCase> turns_table() {
         table.cases.push_back({short_number(measured) + " near " + short_number(expected),
                                measured, expected});
       }
+  for (const double expected : {0.0, 1e-12, -1e-9, 1e-7, -1e-4})  // nothing small is left out
+    for (const double k : {0, 3, -2})
+      for (const double off : {0.0, 1e-8, -1e-5, 0.4, -2.9})
+        table.cases.push_back({"expected near 0", expected + turn * k + off, expected});
   table.tolerance = is_float ? 1e-3 : 1e-9;
   return table;
 }

@@ -24,6 +24,9 @@ void check_by_hand(const Part& part, const Pair& pair, const Row& row) {
   check_jacobian<Fixture>(typename Fixture::Part{part}, pair, Jacobian<1>{{row}});
 }
 
+// Errors that are small, and none may be left out for it.
+constexpr double nearly_closed[] = {1e-3, -1e-5, 1e-8, -1e-11};
+
 }  // namespace
 
 // ---- 10.1 ---------------------------------------------------------------------------------------
@@ -33,6 +36,9 @@ TEST_CASE("10.1 axes that lean towards each other by 37 degrees have an error of
   const Pair paper{static_body(vec3(0)), turned_body(-tilt)};
   const RightAngle part{vec3(1, 0, 0), vec3(0, 1, 0)};
   right_angle_table().check({"by hand", part, paper}, {0.6});
+  for (const double off : nearly_closed)
+    right_angle_table().check(
+        {"nearly closed", part, {paper.body1, turned_body({0, 0, real(-off)})}}, {std::sin(off)});
   right_angle_table().check();
   check_by_hand<RightAngleFixture>(
       part, paper, Row{vec3(0), vec3(0, 0, real(0.8)), vec3(0), vec3(0, 0, real(-0.8))});
@@ -50,6 +56,9 @@ TEST_CASE("10.2 a gear of 1 to -2 holds after a quarter turn and half a turn bac
   const Pair slipped{closed.body1, turned_body(vec3(0, 0, real(-1)))};
   gear_table().check({"by hand", gear, closed}, {0});
   gear_table().check({"by hand, slipped", gear, slipped}, {0.2});
+  for (const double off : nearly_closed)
+    gear_table().check(
+        {"nearly closed", gear, {static_body(vec3(0)), turned_body({0, 0, real(off)})}}, {off});
   gear_table().check();
   check_by_hand<GearFixture>(gear, closed, Row{vec3(0), vec3(0, 0, 2), vec3(0), vec3(0, 0, 1)});
 }
@@ -93,6 +102,10 @@ TEST_CASE("10.3 a screw with a lead of 0.2 m moves its nut by 0.05 m in a quarte
   late.body2.x = vec3(0);
   screw_table().check({"by hand", screw, closed}, {0});
   screw_table().check({"by hand, not moved", screw, late}, {-0.05});
+  for (const double off : nearly_closed)
+    screw_table().check(
+        {"nearly closed", screw, {closed.body1, turned_body(vec3(0), vec3(0, 0, real(off)))}},
+        {off});
   screw_table().check();
   const real p = real(0.2) / (4 * quarter);
   check_by_hand<ScrewFixture>(screw, late, Row{vec3(0, 0, -1), vec3(0, 0, p), vec3(0, 0, 1),
@@ -109,6 +122,9 @@ TEST_CASE("10.4 an axis that has swung by 0.7 has 0.3 left in a cone of 1", "[10
   const Cone cone{vec3(1, 0, 0), vec3(1, 0, 0), 1};
   const Pair paper{static_body(vec3(0)), turned_body(vec3(0, 0, real(0.7)))};
   cone_table().check({"by hand", cone, paper}, {0.3});
+  for (const double off : nearly_closed)
+    cone_table().check({"nearly at the limit", cone,
+                        {static_body(vec3(0)), turned_body(vec3(0, 0, real(1 - off)))}}, {off});
   cone_table().check();
   check_by_hand<ConeFixture>(cone, paper, Row{vec3(0), vec3(0, 0, 1), vec3(0), vec3(0, 0, -1)});
 }

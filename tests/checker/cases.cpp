@@ -19,6 +19,7 @@ struct CaseNumbers {
   std::vector<Compared> cases;
   std::vector<Asked> mistakes;
   Call<std::vector<Asked>()> pairs;  // asked where none of those fits
+  std::vector<Asked> slips;          // asked at last
   double tolerance;
   bool whole;  // names only what explains all numbers
   bool judged;  // the mistakes are the known ones
@@ -177,7 +178,9 @@ std::vector<std::string> likely_mistakes(const CaseNumbers& all, const Columns& 
     if (!found.empty()) return found;
   }
   if (const std::string words = pattern(false); !words.empty()) return {words};
-  return {};
+  const bool numbers = std::all_of(all.cases.begin(), all.cases.end(),
+                                   [](const Compared& c) { return no_number(c.yours).empty(); });
+  return numbers ? named(all, all.slips, every) : std::vector<std::string>{};
 }
 
 vec3 vector_at(const Numbers& numbers, std::size_t i) {
@@ -316,7 +319,7 @@ std::vector<std::string> AnyTable::likely_of(std::vector<const void*> more,
                         for (AnyMistake& one : pairs_of()) all.push_back(std::move(one));
                         return asked(all);
                       },
-                      tolerance, whole, judged};
+                      asked(slips_of()), tolerance, whole, judged};
   for (const void* c : more) numbers.cases.push_back({yours_in(c), right_in(c)});
   return likely_mistakes(numbers, own);
 }

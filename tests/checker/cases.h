@@ -77,6 +77,7 @@ class AnyTable {
   virtual Numbers yours_in(const void* c) const = 0;
   virtual Numbers right_in(const void* c) const = 0;
   virtual const std::vector<AnyMistake>& known() const = 0;
+  virtual const std::vector<AnyMistake>& slips_of() const = 0;
   virtual std::vector<AnyMistake> pairs_of() const = 0;
 
  private:
@@ -114,6 +115,7 @@ class CaseTable : public AnyTable {
   Answer yours, right;
   Mistakes mistakes;
   std::vector<Case> cases;
+  Mistakes slips = {};  ///< asked where nothing else explains the numbers
   Call<Mistakes()> pairs = {};  ///< further mistakes, asked where none of those fits
   Call<std::string(const Case&)> given = {};  ///< the arguments, for the report
   /// With `whole`: what the numbers are called where each case has names of its own. Cases of
@@ -161,6 +163,7 @@ class CaseTable : public AnyTable {
   Numbers yours_in(const void* c) const override { return yours(as_case(c)); }
   Numbers right_in(const void* c) const override { return right(as_case(c)); }
   const std::vector<AnyMistake>& known() const override { return mistakes; }
+  const std::vector<AnyMistake>& slips_of() const override { return slips; }
   std::vector<AnyMistake> pairs_of() const override {
     return pairs ? pairs() : std::vector<AnyMistake>{};
   }
@@ -172,10 +175,11 @@ template <class Function, class Case, class Measure>
 void judge(CaseTable<Case>& table, Function* yours, const Measure& numbers) {
   table.yours = [=](const Case& c) { return numbers(yours, c); };
   table.judged = true;
-  for (const Known* one : known_of_type<Function>(table.subject.id, table.subject.region))
-    table.mistakes.add(one->words, [=](const void* c) {
-      return numbers(one->as<Function>(), *static_cast<const Case*>(c));
-    });
+  for (const bool slip : {false, true})
+    for (const Known* one : known_of_type<Function>(table.subject.id, table.subject.region, slip))
+      (slip ? table.slips : table.mistakes).add(one->words, [=](const void* c) {
+        return numbers(one->as<Function>(), *static_cast<const Case*>(c));
+      });
 }
 
 /// The same number as a word of a report.

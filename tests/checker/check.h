@@ -84,9 +84,9 @@ inline void check(const Subject& subject, const std::string& report, const std::
 /// What the known mistakes of a subject's region make of a part.
 /// \tparam Function of the exercise's part and two bodies
 template <class Function, class Part, class Flat>
-Wrong known_of(const Subject& subject, const Part& part, const Pair& pair, Flat flat) {
+Wrong known_of(const Subject& subject, const Part& part, const Pair& pair, bool slip, Flat flat) {
   Wrong out;
-  for (const auto& [words, wrong] : known_mistakes<Function>(subject.id, subject.region))
+  for (const auto& [words, wrong] : known_mistakes<Function>(subject.id, subject.region, slip))
     out.push_back({words, flat(wrong(part, pair.body1, pair.body2))});
   return out;
 }
@@ -109,17 +109,24 @@ Seen seen(const typename Fixture::Part& part) {
   if constexpr (requires { typename Fixture::Exercise; }) {
     using Of = typename Fixture::Exercise;
     using Rows = decltype(part.jacobian(Body{}, Body{}))(const Of&, const Body&, const Body&);
-    out.mistakes = [part](const Pair& at) {
-      return known_of<Rows>(Fixture::J, part, at,
-                            [](const auto& J) { return flat(to_jacobian(J)); });
+    const auto asked = [part](bool slip) {
+      return [part, slip](const Pair& at) {
+        return known_of<Rows>(Fixture::J, part, at, slip,
+                              [](const auto& J) { return flat(to_jacobian(J)); });
+      };
     };
+    out.mistakes = asked(false), out.slips = asked(true);
   }
   if constexpr (requires { typename Fixture::Exercise; Fixture::K; }) {
     using Of = typename Fixture::Exercise;
     using K = decltype(part.K(Body{}, Body{}))(const Of&, const Body&, const Body&);
-    out.K_mistakes = [part](const Pair& at) {
-      return known_of<K>(Fixture::K, part, at, [](const auto& K) { return flat(to_matrix(K)); });
+    const auto asked = [part](bool slip) {
+      return [part, slip](const Pair& at) {
+        return known_of<K>(Fixture::K, part, at, slip,
+                           [](const auto& K) { return flat(to_matrix(K)); });
+      };
     };
+    out.K_mistakes = asked(false), out.K_slips = asked(true);
   }
   if constexpr (requires { Fixture::broken; }) out.broken = Fixture::broken;
   return out;

@@ -289,8 +289,9 @@ std::string in_common(const std::vector<Trial>& all, std::size_t cases, double t
   const std::string yours = seen(all, tolerance), where = alone(all, tolerance);
   const Side best = explained(all, cases, yours);
   const auto placed = [&](const std::string& words) {
-    return where.empty() ? words : words.empty() ? "#drawn-alone " + where + " alone can be wrong" +
-                                                       (yours.empty() ? "" : ", yours are " + yours)
+    return where.empty() ? words : words.empty() ? "#drawn-alone " + where + " can be wrong, and "
+                                                       "everything else is right in every case" +
+                                                       (yours.empty() ? "" : ". Yours are " + yours)
                                                  : words + " (in " + where + " alone)";
   };
   if (best.words.empty() || best.right_here == 0) return placed(best.words);

@@ -11,10 +11,10 @@ static std::vector<Known>& remembered() {
 
 void Known::remember(const Known& one) { remembered().push_back(one); }
 std::vector<const Known*> Known::of(const std::string& id, int region,
-                                    const std::type_info& type) {
+                                    const std::type_info& type, bool slip) {
   std::vector<const Known*> out;
   for (const Known& one : remembered()) {
-    if (one.id != id || one.region != region) continue;
+    if (one.id != id || one.region != region || one.slip != slip) continue;
     if (*one.type != type) throw std::logic_error("a mistake of another type");
     out.push_back(&one);
   }

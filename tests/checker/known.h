@@ -16,11 +16,12 @@ struct Known {
   const char* words;   ///< what the reader is told
   void (*function)();  ///< the reader's function with the mistake
   const std::type_info* type;
+  bool slip;           ///< made by tools/check/slips.py: told only where nothing else is
 
   template <class Function>
-  Known(const char* id, int region, const char* words, Function* function)
+  Known(const char* id, int region, const char* words, Function* function, bool slip)
       : id(id), region(region), words(words), function(reinterpret_cast<void (*)()>(function)),
-        type(&typeid(Function)) {
+        type(&typeid(Function)), slip(slip) {
     remember(*this);
   }
   template <class Function>
@@ -28,12 +29,12 @@ struct Known {
   static void remember(const Known& one);
   /// Those of a region, all of them of one type.
   static std::vector<const Known*> of(const std::string& id, int region,
-                                      const std::type_info& type);
+                                      const std::type_info& type, bool slip);
 };
 /// \tparam Function the type of the region's function
 template <class Function>
-std::vector<const Known*> known_of_type(const std::string& id, int region) {
-  return Known::of(id, region, typeid(Function));
+std::vector<const Known*> known_of_type(const std::string& id, int region, bool slip = false) {
+  return Known::of(id, region, typeid(Function), slip);
 }
 
 /// The same with their words.
@@ -43,9 +44,10 @@ struct KnownAs {
   Function* does;
 };
 template <class Function>
-std::vector<KnownAs<Function>> known_mistakes(const std::string& id, int region) {
+std::vector<KnownAs<Function>> known_mistakes(const std::string& id, int region,
+                                              bool slip = false) {
   std::vector<KnownAs<Function>> out;
-  for (const Known* one : known_of_type<Function>(id, region))
+  for (const Known* one : known_of_type<Function>(id, region, slip))
     out.push_back({one->words, one->as<Function>()});
   return out;
 }

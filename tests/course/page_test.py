@@ -1,9 +1,9 @@
 """The course in a headless Chromium: page_test.py ROOT BUILD
 
-Looks at out/course, which ./wb course writes: exercise 1.1 wrong, right and moving; a loop without
-end, a crash, an error of the compiler; each chapter judged, and its page in a narrow window; the
-file out and in; two tabs; without a network; the one-file edition. Skipped, with exit status 77,
-where there is no browser or no present out/course.
+Looks at out/course, which ./wb course writes: exercise 1.1 wrong and right, and its scene; a loop
+without end, a crash, an error of the compiler; each chapter judged, and its page in a narrow
+window; the file out and in; two tabs; without a network; the one-file edition. Skipped, with exit
+status 77, where there is no browser or no present out/course.
 """
 import json
 import statistics
@@ -15,6 +15,7 @@ from reader import (ENDLESS, PAGE, PATIENCE, READY, RIGHT, STUB, TRIES, WRONG, E
                     compiler_asked_for, file_with, lacks, solution, tab)
 
 from proofs import house, main, notes
+from scene_proofs import a_rope_moves_a_rope, wrong_code_moves_beside_the_solution
 
 from course import packing
 from website.browser import Browser, there
@@ -68,6 +69,8 @@ def the_first_exercise_can_be_done(root, build):
                      "Likely mistake: the sign of the block v1", "3 more of its 6 tests fail")
     times = []
     for answer in (WRONG + "  // again", WRONG, RIGHT):
+        exercise.scene("document.documentElement.dataset.ready")  # made after the report
+        exercise.ask(".querySelector('.scene').replaceChildren()")
         exercise.write(answer)
         report = exercise.check()
         times.append(float(exercise.ask(".dataset.took")) / 1000)
@@ -83,19 +86,6 @@ def the_first_exercise_can_be_done(root, build):
     yield from lacks(exercise.scene(), "yours")
     exercise.ask(".querySelector('.scene').replaceChildren()")
     yield from browser.console
-
-
-def a_rope_moves_a_rope(root, build):
-    """the scene below exercise 1.5, the rope's, is the bridge on ropes"""
-    exercise = Exercise(tab(Browser)[0].browser, "1.5")
-    exercise.take_in(solution())
-    yield from lacks(exercise.check(), "done")
-    exercise.scene()
-    shown = exercise.ask(".querySelector('.scene iframe').contentDocument"
-                         ".querySelector('#scenes [aria-pressed=true]').textContent")
-    if shown != "rope bridge":
-        yield f"the scene is: {shown}"
-    exercise.ask(".querySelector('.scene').replaceChildren()")
 
 
 def the_first_editor_is_near(root, build):
@@ -213,7 +203,8 @@ def a_full_browser_marks_right_code(root, build):
     yield from lacks(exercise.check(), "6 tests passed.")
     if not exercise.is_done() or exercise.ask(".querySelector('.report.good') === null"):
         yield "right code is reported as wrong"
-    yield from lacks(exercise.ask(".querySelector('.scene').innerText"), "no network")
+    exercise.browser.wait(f"{exercise.place}.querySelector('.scene').innerText"
+                          ".includes('no network')", f"{exercise.place}.innerText")
     browser.ask("""(() => {
       Object.keys(real).filter(name => /^\\d/.test(name)).forEach(name => real.removeItem(name));
       Object.defineProperty(window, "localStorage", way);
@@ -288,6 +279,11 @@ def a_telephone_shows_it(root, build):
                   for side in ("scroll", "client"))
     if wide > room:
         yield f"the report is {wide} pixels wide in {room}"
+    exercise.scene("document.documentElement.dataset.ready")
+    wide, room = (exercise.ask(f".querySelector('.scene iframe').contentDocument.documentElement"
+                               f".{side}Width") for side in ("scroll", "client"))
+    if wide > room:
+        yield f"the scene is {wide} pixels wide in {room}"
 
 
 def nothing_is_lost(root, build, kind=Browser):
@@ -356,7 +352,8 @@ def one_file_is_enough(root, build, kind=Browser):
 
 
 PROOFS = [an_untouched_stub_is_told_at_once, little_memory_is_told, the_first_editor_is_near,
-          the_first_exercise_can_be_done, a_rope_moves_a_rope, what_goes_wrong_is_told,
+          the_first_exercise_can_be_done, wrong_code_moves_beside_the_solution,
+          a_rope_moves_a_rope, what_goes_wrong_is_told,
           a_mark_is_of_the_checked_text, a_full_browser_marks_right_code,
           a_browser_that_keeps_nothing_is_enough, each_chapter_is_judged, a_telephone_shows_it,
           nothing_is_lost, one_file_is_enough]

@@ -280,8 +280,8 @@ def causes_are_told_apart(root, build):
     here.wait(says("too far"))
     if "yours: stopped" not in shown(here) or "gap" in shown(here).split("\n")[1]:
         yield f"of code that has stopped: {shown(here)}"
-    if "differently from the solution in: pendulum" not in here.text_of("watch"):
-        yield f"where the code matters: {here.text_of('watch')}"
+    if "Your code stops at t = 0.00 s (step 1): too far" not in here.text_of("parted"):
+        yield f"where the code matters: {here.text_of('parted')}"
 
 
 def a_question_comes_first(root, build):

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 import attempts
-from door import CHAPTER, Door
+from door import Door
 from grade_test import FILE, IDS, STATES, Class, tree
 from proofs import exercises, main, notes
 
@@ -16,74 +16,77 @@ from classroom import fence
 
 def none_reaches_what_is_not_its_own(root, build):
     """forty attempts to read, write, signal, connect, fork, exec or stay: none succeeds"""
-    if fence.kind() == fence.NONE or not fence.seccomp:
+    if fence.refusal() or not fence.seccomp:
         notes.append("no fence or no python3-seccomp here: no attempt was made")
         return
-    kinds = [fence.kind()] + [fence.LANDLOCK] * (
-        fence.kind() == fence.BUBBLEWRAP and fence.version() > 0)
-    for kind in kinds:
-        with Door(root, build) as door, socket.socket(type=socket.SOCK_DGRAM) as udp, \
-                socket.socket() as tcp:
-            door.lend_build()
-            for one in (udp, tcp):
-                one.bind(("127.0.0.1", 0))
-                one.setblocking(False)
-            if kind != fence.kind():
-                os.environ["WORKBOOK_NO_BUBBLEWRAP"] = "1"
-            os.environ["WORKBOOK_SECRET"] = "secret"
-            try:
-                yield from (f"{kind}: {line}" for line in tried(Class(door), udp, kind))
-            finally:
-                os.environ.pop("WORKBOOK_NO_BUBBLEWRAP", None)
-                del os.environ["WORKBOOK_SECRET"]
-            try:
-                yield f"{kind}: a submission has sent {udp.recv(9)}"
-            except BlockingIOError:
-                pass
+    with Door(root, build) as door, socket.socket(type=socket.SOCK_DGRAM) as udp, \
+            socket.socket() as tcp:
+        door.lend_build()
+        for one in (udp, tcp):
+            one.bind(("127.0.0.1", 0))
+            one.setblocking(False)
+        os.environ["WORKBOOK_SECRET"] = "secret"
+        try:
+            yield from tried(Class(door), udp)
+        finally:
+            del os.environ["WORKBOOK_SECRET"]
+        try:
+            yield f"a submission has sent {udp.recv(9)}"
+        except BlockingIOError:
+            pass
 
 
 def no_result_is_forged(root, build):
-    """attempts to write, end or replace the report: no wrong answer counts as right"""
+    """fifty attempts to write, end, replace or borrow: no wrong answer counts as right"""
     with Door(root, build) as door:
         door.lend_build()
         c = Class(door)
-        tests = "".join(f'<TestCase name="{id_}" tags="[{id_}]"><OverallResult success="true"/>'
-                        "</TestCase>" for id_ in IDS)
+        passed = '<OverallResult success="true"/>'
+        tests = "".join(f'<TestCase name="{id_}" tags="[{id_}]">{passed}</TestCase>'
+                        for id_ in IDS)
         head = attempts.FORGER.format(perfect=f"<Catch2TestRun>{tests}</Catch2TestRun>")
-        wrong, expected = c.solution, {}
+        wrong, stub = c.solution, exercises.stub(c.solution)
         for id_, code in zip(IDS, ("return {};", "return 0;", "return 0;", "", "return 0;",
                                    "return {};")):
             wrong = c.answer(id_, code, wrong)
         for place in range(0, len(attempts.FORGED), len(IDS)):
-            text, name = wrong, f"inside_{place}"
-            for id_, (code, _) in zip(IDS, attempts.FORGED[place:]):
-                text = c.answer(id_, "", text, own=code.format())
-            c.put(f"{name}/{FILE}", head + text)
-            expected[name] = [words for _, words in attempts.FORGED[place:place + len(IDS)]]
-        for place, (code, words) in enumerate(attempts.ABOVE.items()):
-            c.put(f"above_{place}/{FILE}", head + code.format() + "\n" + c.answer(
-                "1.2", "return 0;", exercises.stub(c.solution)))
-            expected[f"above_{place}"] = [words]
-        yield from c.grade("", 1, f"{len(expected)} submissions")
-        for name, sentences in expected.items():
-            row = c.table().get(name, {})
-            if float(row["points"]) or row["1.2"] != "wrong":
-                yield f"{name}: {row}"
-            yield from (f"{name}: '{words}' is not in {c.feedback(name)[:3000]}"
-                        for words in sentences if words not in c.feedback(name))
+            text = wrong
+            for id_, code in zip(IDS, attempts.FORGED[place:]):
+                text = c.answer(id_, code.format() + {"1.4": ""}.get(id_, answer_of(wrong, id_)),
+                                text)
+            c.put(f"inside_{place}/{FILE}", head + text)
+        for place, code in enumerate(attempts.ABOVE):
+            c.put(f"above_{place}/{FILE}", head + code.format() + "\n"
+                  + c.answer("1.2", "return 0;", stub))
+        for id_, code in attempts.BORROWED.items():
+            c.put(f"borrowed_{id_}/{FILE}", c.answer(id_, code, stub))
+        c.put(f"leak/{FILE}", attempts.LEAK + c.answer(  # beside one that has to be left out
+            "1.2", "throw std::runtime_error(leak);", c.answer("1.5", "return nonsense;", stub)))
+        yield from c.grade("", 1, "submissions")
+        for name, row in c.table().items():
+            if name != "done in all" and (float(row["points"]) or "wrong" not in row.values()):
+                yield f"{name}: {list(row.values())}: {c.feedback(name)[:900]}"
+        if not c.feedback("leak").count("begin [exercise"):
+            yield f"the feedback shows nothing of the file: {c.feedback('leak')}"
+        if "glm::max(before" in c.feedback("leak"):
+            yield "the feedback shows a solution"
 
 
-def tried(c, udp, kind):
+def answer_of(text, id_):
+    return "\n".join(next(region for region in exercises.regions(text)
+                          if region.id == id_).answer())
+
+
+def tried(c, udp):
     victim = c.door.root / "README.md"
     words = {"root": c.door.root, "victim": victim, "port": udp.getsockname()[1],
              "other": c.folder / "neighbour" / FILE}
     c.put(f"neighbour/{FILE}", c.solution)
     head, asked, vain = attempts.HEAD.format(**words), attempts.ASKED, attempts.VAIN
     expected = {"neighbour": ("DDDDDD", [])}
-    many = asked if kind == fence.BUBBLEWRAP else asked[::3]
-    for place in range(0, len(many), len(IDS)):  # six in a file, each in front of a right answer
+    for place in range(0, len(asked), len(IDS)):  # six in a file, each in front of a right answer
         text, name = c.solution, f"asks_{place}"
-        for id_, code in zip(IDS, many[place:]):
+        for id_, code in zip(IDS, asked[place:]):
             text = c.answer(id_, "", text, own=code.format(**words))
         c.put(f"{name}/{FILE}", head + text)
         expected[name] = "WWWWWW", []
@@ -97,9 +100,6 @@ def tried(c, udp, kind):
     for place, (code, said) in enumerate(attempts.SHUT.items()):
         c.put(f"shut_{place}/{FILE}", code.format(**words) + "\n" + c.solution)
         expected[f"shut_{place}"] = "BBBBBB" if "no part" in said else "DDDDDD", [said]
-    # What the fence is there for if this is deceived.
-    exercises.write(c.door.root / "tools" / "classroom" / "symbols.py",
-                    'def unneeded(path, around):\n    return ""\n')
     before = tree(c.door.root)
     yield from c.grade("", 1, f"{len(expected)} submissions")
     yield from (f"{path} has changed" for path in
@@ -109,7 +109,7 @@ def tried(c, udp, kind):
         if [row.get(id_) for id_ in IDS] != [STATES[state] for state in states]:
             yield f"{name}: {[row.get(id_) for id_ in IDS]}, not {states}"
         said = c.feedback(name)
-        if states == "WWWWWW" and said.count("something that no exercise needs") != 6:
+        if states == "WWWWWW" and said.count("something that no exercise needs") < 6:
             yield f"{name}: not every attempt was ended: {said}"
         for sentence in sentences:
             if sentence not in said:
@@ -118,8 +118,8 @@ def tried(c, udp, kind):
             if secret in said.replace("WORKBOOK_SECRET", ""):
                 yield f"{name}: the feedback tells {secret}"
     left = subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True).stdout
-    if found := re.findall(rf"^\S*grade_\w+/build/tests/{CHAPTER}_test_mine.*|^sleep 1000", left,
-                           re.M):
+    own = re.escape(str(c.door.root))
+    if found := re.findall(rf"^{own}.*_answer_mine|^sleep 1000", left, re.M):
         yield f"left running: {found}"
     for path in ("/tmp/workbook_attempt", "/dev/shm/workbook_attempt"):
         if Path(path).exists():

@@ -4,6 +4,7 @@ The libraries of a reader's file are taken from a build that is there: only the 
 compiled, as that build would compile it.
 """
 import os
+import re
 import resource
 import shutil
 import subprocess
@@ -18,7 +19,29 @@ from classroom import lend
 CHAPTER = "01_distance"
 # What is built in the copy, and where it lies in the build folder.
 TARGETS = {f"{CHAPTER}_test_mine": f"tests/{CHAPTER}_test_mine",
-           f"{CHAPTER}_run_mine": f"{CHAPTER}_run_mine"}
+           f"{CHAPTER}_run_mine": f"{CHAPTER}_run_mine",
+           f"{CHAPTER}_answer_mine": f"tests/{CHAPTER}_answer_mine"}
+# What is taken from the other build as it is.
+MADE = {"as_lent": f"{CHAPTER}_run",  # beside which ./wb run puts the reader's
+        f"{CHAPTER}_judge": f"tests/{CHAPTER}_judge",
+        f"{CHAPTER}_spare": f"tests/CMakeFiles/{CHAPTER}_spare.dir/__/solutions/{CHAPTER}/"
+                            "distance.cpp.o"}
+
+
+def write_build(lender, build, root, makes):
+    """Writes the build folder of the workbook at `root`. `makes`: (target, what it makes, the file
+    it makes that from, its commands)."""
+    build.mkdir(parents=True)
+    (build / "CMakeCache.txt").write_text(f"CMAKE_HOME_DIRECTORY:INTERNAL={root}\n")
+    lines = ["rule make", "  command = $line", "  description = $out"]
+    for target, product, file, line in makes:
+        line = lend.moved(line, lender, build)
+        source = re.sub(r"([ :$])", r"$\1", str(file))
+        lines += [f"build {product}: make {source}", f"  line = {line.replace('$', '$$')}"]
+        lines += [f"build {target}: phony {product}"] if product != target else []
+    (build / "build.ninja").write_text("\n".join(lines) + "\n")
+    for folder in re.findall(r"--dependency-file=(\S+)/", "\n".join(lines)):
+        (build / folder).mkdir(parents=True, exist_ok=True)  # where a linker writes of itself
 
 
 class Door:
@@ -79,15 +102,18 @@ class Door:
 
     def lend_build(self, folder="build", targets=TARGETS):
         """A build folder in which the reader's file, and nothing else, is compiled."""
-        lend.lend(self.source_build, self.root / folder, self.root, [
+        write_build(self.source_build, self.root / folder, self.root, [
             (target, product, self.root / ("build/mixed" if "run" in target else "chapters")
              / CHAPTER / "distance.cpp",
              self.moved(lend.commands(self.source_build, target, "distance")))
             for target, product in targets.items()])
-        solved = f"{CHAPTER}_run"  # beside which ./wb run puts the reader's
-        shutil.copy(self.source_build / solved, self.root / folder / solved)
         with open(self.root / folder / "build.ninja", "a") as lines:
-            lines.write(f"build as_lent: phony {solved}\n")
+            for name, path in MADE.items():
+                if not (self.source_build / path).is_file():
+                    continue  # and ./wb grade will miss it
+                (self.root / folder / path).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(self.source_build / path, self.root / folder / path)
+                lines.write(f"build {name}: phony {path}\n")
 
     def moved(self, line):
         """A line of commands for the files of the copy."""

@@ -38,6 +38,7 @@ def students_can_work_without_solutions(root, build):
         with contextlib.redirect_stdout(io.StringIO()):
             hand_out.hand_out(door.root)
         yield from solutions_in(door)
+        yield from work_stays(door)
         yield from texts_test.links_lead_somewhere(door.root, build)
         yield from targets_of_edition(door)
         door.lend_build()
@@ -61,6 +62,30 @@ def students_can_work_without_solutions(root, build):
         yield from own_numbers(door)
         door.change("sum = glm::max(before + dlambda", "sum = before + glm::max(dlambda")
         yield from typed(door, "run 1", 0, "1.5 is not right yet", "rises 58.6 mm")
+
+
+def work_stays(door):
+    """An update renews a text and leaves exercises and solutions that are handed out."""
+    written, solved = "// mine", door.root / "solutions" / CHAPTER / FILE
+    text = door.root / "chapters" / CHAPTER / "README.md"
+    stub, before = exercises.read(door.file), exercises.read(text)
+    for path, words in ((door.file, written), (solved, door.solution), (text, "old"),
+                        (door.root / "notes.txt", written)):
+        exercises.write(path, words)
+    with contextlib.redirect_stdout(io.StringIO()):
+        hand_out.update(door.root)
+    for path, words in ((door.file, written), (solved, door.solution), (text, before),
+                        (door.root / "notes.txt", written)):
+        if exercises.read(path) != words:
+            yield f"after an update {path.name} is {exercises.read(path)[:60]}"
+    exercises.write(door.file, stub)
+    exercises.write(solved, exercises.stub(door.solution))
+    (door.root / "notes.txt").unlink()
+    try:
+        hand_out.update(door.root.parent)
+        yield "a folder that is no edition was renewed"
+    except house.Trouble:
+        pass
 
 
 def own_numbers(door):

@@ -213,15 +213,6 @@ def configure(again=False):
         raise Trouble("CMake failed:\n" + result.stdout[-1500:] + result.stderr[-3000:])
 
 
-def fenced(command, report=None):
-    """A command that builds a reader's file, or runs it and writes a report: within a fence, where
-    there is one."""
-    return fence.around(command, report) if fence else command
-
-
-fence = None  # ./wb grade sets it: around(command, report), end()
-
-
 @contextlib.contextmanager
 def alone():
     """Two that build in one folder disturb each other: the second waits."""
@@ -239,7 +230,7 @@ def build(targets, what="building"):
     dates_in_the_past()
     configure()
     with alone(), contents_decide():
-        return run_ninja(fenced(["ninja", "-C", str(BUILD), "-k", "0", *targets]), what)
+        return run_ninja(["ninja", "-C", str(BUILD), "-k", "0", *targets], what)
 
 
 def run_ninja(command, what):

@@ -10,9 +10,10 @@
 
 A mistake is a wrong answer that a check knows: it is compiled as a function of its own, a check
 runs it on its cases, and where it gives a reader's numbers its sentence stands in the report
-(tests/checker/known.h). Of mistakes with the same numbers the first is told. The sentence may be
-continued on lines like those of a change. A heading with {1|2} in it, or {x|y|z}, stands for as
-many answers, one with the first of them in every place, and so on.
+(tests/checker/known.h). Of mistakes with the same numbers the first is told; the slips of slips.py
+come after everything else that may be told. The sentence may be continued on lines like those of a
+change. A heading with {1|2} in it, or {x|y|z}, stands for as many answers, one with the first of
+them in every place, and so on.
 
 Other wrong answers name what they must be told: a diagnosis by its id, "#sign-of-gravity the sign
 of gravity" in the checker, `a + b` where it is told two; or "words of the report", where these are
@@ -38,6 +39,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).absolute().parents[1]))
 from base import exercises  # noqa: E402
+from check import slips  # noqa: E402
 
 HEADING = re.compile(r'// (wrong units|wrong|right|mistake) ("[^"]+"|[^":]+):(?: +(\S.*))?$')
 OPEN = re.compile(r'// (mistake|wrong|wrong units) "[^"]*$')  # a sentence that goes on below
@@ -319,18 +321,24 @@ def make_mistakes(solution, files, out, root, refused):
     regions, made, table = {}, [], []
     for region in exercises.regions(text):
         regions.setdefault(region.id, []).append(region)
-    for k, one in enumerate((a for a in read_all(files, text) if a.kind == "mistake"
-                             and not a.faults and a.key() not in refused), 1):
+    known = [a for a in read_all(files, text) if a.kind == "mistake"
+             and not a.faults and a.key() not in refused]
+    more = [Answer(id_, "mistake", words, Path("slip"), 1, place, body=body, first=1)
+            for id_, place, words, body in slips.said(text)]
+    for k, one in enumerate(known + more, 1):
         given, before, behind = around(lines, regions[one.id][one.region - 1])
         declared, before, called, name = of_member(before)
         made += [f"namespace mistake_{k} {{", *given, *declared, f'#line 1 "{root}/{shown}"',
                  *before, *one.placed(), f'#line 1 "{root}/{shown}"', *behind, *called, "}"]
         words = json.dumps(one.told.strip('"'), ensure_ascii=False)
-        table.append(f'  {{"{one.id}", {one.region}, {words}, &joints::mistake_{k}::{name}}},')
+        slip = "true" if k > len(known) else "false"
+        table.append(f'  {{"{one.id}", {one.region}, {words}, &joints::mistake_{k}::{name}, '
+                     f'{slip}}},')
     head = ["// Made by tools/check/answers.py."]
     if made:
         includes = re.findall(r"^#.*", text.partition("namespace joints")[0], re.M)
-        head += ['#include "tests/checker/known.h"', *includes, "namespace joints {", *made, "}",
+        head += ['#include "tests/checker/known.h"', '#include "tests/checker/slips.h"', *includes,
+                 "namespace joints {", *made, "}",
                  "static const joints::testing::Known known[] = {", *table, "};"]
     exercises.write_if_new(out, "\n".join(head) + "\n")
 

@@ -16,7 +16,7 @@ from pathlib import Path
 
 from base import exercises
 from check import checking
-from classroom import alike, collecting, fence, lend, results
+from classroom import alike, collecting, fence, lend, remote, results, submission
 from classroom.collecting import MISSING
 from judge import grade as grading, runs
 from base import house
@@ -34,21 +34,20 @@ LIMIT = 180     # for one exercise file, compiler and tests [s]
 
 # ---- grading -------------------------------------------------------------------------------------
 
-def grade_text(text, chapter, line):
-    """(grades, notes) of one exercise file. `line`: the commands that make the tests of the
-    reader's."""
+def grade_text(text, chapter, plan):
+    """(grades, notes) of one exercise file."""
     with tempfile.TemporaryDirectory(prefix="grade_", dir=house.BUILD,  # programs may run there
                                      ignore_cleanup_errors=True) as folder:
         folder = Path(folder)
         exercises.write(folder / "chapters" / chapter.folder / chapter.mine.name, text)
         file = folder / "compiled" / chapter.mine.name
         exercises.write(file, "")
-        target = f"{chapter.folder}_test_mine"
-        lend.lend(house.BUILD, folder / "build", house.ROOT, [
-            (target, f"tests/{target}", file,
-             linked_last(line.replace(str(chapter.mine), str(file))))])
+        (folder / "build").mkdir()
+        line = lend.moved(plan.line.replace(str(chapter.mine), str(file)), house.BUILD,
+                          folder / "build")
         seed = zlib.crc32(text.encode(errors="surrogateescape")) % 100_000
-        said = ask(folder, chapter, fence_of_compiler(folder, line), str(seed))
+        said = ask(folder, chapter, replace(
+            plan, line=line, reads=[str(folder / "compiled"), *plan.reads]), str(seed))
     verdicts = [line for line in said.split("\n") if line.startswith("[")]  # not of the progress
     if not verdicts:
         return [grading.Grade(id_, grading.BROKEN, "the file cannot be read")
@@ -61,35 +60,37 @@ def grade_text(text, chapter, line):
                               key=lambda one: chapter.ids().index(one.id))], notes
 
 
-def linked_last(line):
-    """The commands, where the linker takes what several files define from the file last."""
-    return re.sub(r" (\S+_mine\.a) ([^&]*?)(?=( && :)?$)", r" \2 \1 \2", line)
-
-
-def fence_of_compiler(folder, line):
-    """What may be read by the commands that compile and link a file that lies in the folder: it,
-    headers, and the linked files; no source that is somebody else's."""
-    headers = [*(house.ROOT / name for name in ("engine", "joints", "contacts")),
-               *(house.ROOT / "chapters").glob("*/*.h")]
+def plan_of(chapter):
+    """How a chapter's files are graded. Builds what all of them share."""
+    answer = f"{chapter.folder}_answer_mine"
+    line = lend.commands(house.BUILD, answer, chapter.name)
+    house.must_build([f"{chapter.folder}_judge", f"{chapter.folder}_spare", *lend.needs(line)],
+                     f"building the tests of chapter {chapter.number}")
+    spare = house.BUILD / (f"tests/CMakeFiles/{chapter.folder}_spare.dir/__/solutions/"
+                           f"{chapter.folder}/{chapter.name}.cpp.o")
     words = shlex.split(line)
-    objects = [house.BUILD / path for path in words if path not in lend.made(line)
-               and re.search(r"\.[oa]$|/where\.cpp$|\.hxx$", path)]
-    objects += [house.BUILD / path for path in lend.needs(line) if path.endswith(".gch")]
+    headers = [house.ROOT / "engine", *(house.ROOT / "chapters").glob("*/*.h"),
+               *(f"{path}{end}" for path in words if path.endswith("cmake_pch.hxx")
+                 for end in ("", ".gch"))]
     elsewhere = [path.removeprefix("-I") for before, path in zip(words, words[1:])
                  if (before == "-isystem" or path.startswith("-I/"))
                  and not house.ROOT.is_relative_to(path.removeprefix("-I"))]
-    return fence.Fence(str(folder / "build"), [
-        str(folder / "chapters"), str(folder / "compiled"), *map(
-            str, (*headers, *objects, *elsewhere))], [str(folder / "build")], quiet=False)
+    symbols = remote.symbols(spare, exercises.read(chapter.solution))
+    tests = exercises.read(house.ROOT / "tests" / chapter.folder / "test.cpp")
+    return submission.Plan(
+        line, str(spare), f"tests/{answer}", str(house.BUILD / f"tests/{chapter.folder}_judge"),
+        symbols, remote.uses(spare, symbols, tests), [*map(str, headers), *elsewhere],
+        [str(spare), *(str(house.BUILD / path) for path in words
+                       if re.search(r"\.[oa]$", path) and path not in lend.made(line))])
 
 
-def ask(folder, chapter, compiler, seed):
+def ask(folder, chapter, plan, seed):
     """What tools/classroom/submission.py says of the file in the folder, so far as it comes."""
     env = dict(os.environ, TMPDIR=str(folder), HOME=str(folder))
     env.setdefault("WORKBOOK_SEED", seed)
     process = subprocess.Popen(
         [sys.executable, "-B", house.ROOT / "tools/classroom/submission.py", folder,
-         chapter.folder, json.dumps(asdict(compiler))],
+         chapter.folder, json.dumps(asdict(plan))],
         cwd=folder, env=env, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL, text=True, start_new_session=True)
 
@@ -108,7 +109,7 @@ def ask(folder, chapter, compiler, seed):
 def grade_all(submissions, chapters):
     """Grades the submissions; the same text only once. Files that equal the stubs need not be
     compiled."""
-    jobs, lines = {}, {}
+    jobs = {}
     for chapter in chapters:
         for one in submissions:
             file = one.files.get(chapter.folder)
@@ -117,13 +118,10 @@ def grade_all(submissions, chapters):
             elif file:
                 jobs.setdefault((chapter.folder, file.text), (chapter, []))[1].append(one)
     house.configure()
-    for chapter in {folder: chapter for (folder, _), (chapter, _) in jobs.items()}.values():
-        lines[chapter.folder] = lend.commands(house.BUILD, f"{chapter.folder}_test_mine",
-                                              chapter.name)
-    if needs := sorted({path for line in lines.values() for path in lend.needs(line)}):
-        house.must_build(needs, "building the tests")
+    plans = {chapter.folder: plan_of(chapter) for chapter in
+             {folder: chapter for (folder, _), (chapter, _) in jobs.items()}.values()}
     with house.talking(), ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        running = {pool.submit(grade_text, text, chapter, lines[folder]): all_
+        running = {pool.submit(grade_text, text, chapter, plans[folder]): all_
                    for (folder, text), (chapter, all_) in jobs.items()}
         for count, job in enumerate(as_completed(running), 1):
             grades, notes = job.result()
@@ -131,7 +129,6 @@ def grade_all(submissions, chapters):
                 one.grades |= {grade.id: grade for grade in grades}
                 one.notes += notes
             house.progress(f"{count} of {len(jobs)} files graded")
-    fence.end_children()
     house.progress_done()
 
 
@@ -200,7 +197,6 @@ def grade(place, only=None):
                         if any(chapter.folder in one.files for one in submissions)]
     if words := fence.warning():
         print(folded(f"Note: {words}") + "\n")
-    fence.adopt()
     grade_all(submissions, chapters)
     compare(submissions, chapters)
     for chapter in chapters:

@@ -9,6 +9,8 @@ import platform
 import re
 import shutil
 import subprocess
+import tempfile
+from pathlib import Path
 
 from base import exercises, house
 from base.talk import folded
@@ -64,7 +66,16 @@ def copy_mistakes(folder):
 
 def hand_out(folder):
     if folder.exists():
-        raise house.Trouble(f"hand-out: {folder} is there already; name a new folder")
+        raise house.Trouble(f"hand-out: {folder} is there already; name a new folder, or renew it "
+                            "with --update")
+    make(folder)
+    print(folded(f"{folder}: the workbook without solutions. When a chapter is over, hand out its "
+                 "folder too, such as solutions/01_distance: what is missing works then."))
+    return 0
+
+
+def make(folder):
+    """Writes an edition."""
     names = files()
     for chapter in house.chapters():
         show.run_solution(chapter)
@@ -97,6 +108,25 @@ def hand_out(folder):
             path = folder / house.short(live.SHIPPED) / f"{name}.o"
             path.parent.mkdir(exist_ok=True)
             shutil.copy(live.object_of(name), path)
-    print(folded(f"{folder}: the workbook without solutions. When a chapter is over, hand out its "
-                 "folder too, such as solutions/01_distance: what is missing works then."))
+
+
+def update(folder):
+    """Renews an edition: all but exercise files, and solutions that are handed out."""
+    title = exercises.read(folder / "README.md") if (folder / "README.md").is_file() else ""
+    if NOTE.split('**')[1] not in title:
+        raise house.Trouble(f"hand-out: {folder} is no edition for students")
+    with tempfile.TemporaryDirectory() as place:
+        new = Path(place) / "edition"
+        make(new)
+        kept = {house.short(chapter.mine) for chapter in house.chapters()}
+        for chapter in house.chapters():
+            there = folder / house.short(chapter.solution)
+            if there.is_file() and not any(map(exercises.is_open, exercises.regions(
+                    exercises.read(there)))):
+                kept |= {f"solutions/{chapter.folder}/{name}" for name in os.listdir(there.parent)}
+        shutil.copytree(new, folder, dirs_exist_ok=True, ignore=lambda at, names: [
+            name for name in names
+            if str(Path(at, name).relative_to(new)) in kept and (
+                folder / Path(at, name).relative_to(new)).exists()])
+    print(f"{folder} is renewed; its exercise files are as they were.")
     return 0

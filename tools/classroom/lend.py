@@ -1,5 +1,5 @@
-"""A build folder in which a reader's file, and nothing else, is compiled: as another build would
-compile it, and linked with the files there."""
+"""The commands with which a reader's file, and nothing else, is compiled elsewhere: as a build
+would compile it, and linked with the files there."""
 import re
 import shlex
 import subprocess
@@ -33,22 +33,6 @@ def needs(line):
     return [path for path in re.findall(r"(?<=\s)(?!/)[\w./]+\.[oa](?=\s|$)", line)
             if path not in made(line)] + [
         f"{path}.gch" for path in re.findall(r"-include '?/[^']*?/(CMakeFiles/[^\s']+)", line)]
-
-
-def lend(lender, build, root, makes):
-    """Writes the build folder of the workbook at `root`. `makes`: (target, what it makes, the file
-    it makes that from, its commands)."""
-    build.mkdir(parents=True)
-    (build / "CMakeCache.txt").write_text(f"CMAKE_HOME_DIRECTORY:INTERNAL={root}\n")
-    lines = ["rule make", "  command = $line", "  description = $out"]
-    for target, product, file, line in makes:
-        line = moved(line, lender, build)
-        source = re.sub(r"([ :$])", r"$\1", str(file))
-        lines += [f"build {product}: make {source}", f"  line = {line.replace('$', '$$')}"]
-        lines += [f"build {target}: phony {product}"] if product != target else []
-    (build / "build.ninja").write_text("\n".join(lines) + "\n")
-    for folder in re.findall(r"--dependency-file=(\S+)/", "\n".join(lines)):
-        (build / folder).mkdir(parents=True, exist_ok=True)  # where a linker writes of itself
 
 
 def moved(line, lender, build):

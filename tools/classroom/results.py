@@ -83,7 +83,9 @@ def reports(one):
     if one.status == grading.WAITS:
         return (f"Right with the workbook's version of {one.detail}, which it calls and which is "
                 "not right or not written yet.")
-    said = "\n\n".join(f"{name}\n\n{report}".strip() for name, report in one.failures)
+    first = {report: name for name, report in reversed(one.failures)}
+    said = "\n\n".join(f"{name}\n\n{report}".strip() for name, report in one.failures
+                       if first[report] == name)
     seed = re.search(r"drawn with seed (\d+)", said)
     return said + (f"\n\nThe same cases again: WORKBOOK_SEED={seed[1]} ./wb test {one.id}"
                    if seed else "")

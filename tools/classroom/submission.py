@@ -1,16 +1,20 @@
 """Grades one exercise file that somebody has handed in, in a process of its own that ./wb grade
-starts and may end: submission.py FOLDER NN_name FENCE
+starts and may end: submission.py FOLDER NN_name PLAN
 
 FOLDER is laid out as the workbook is: chapters/NN_name/name.cpp, compiled/name.cpp, which is made
-of it, and build/, which links with the workbook's. Only what is compiled and run of the file is
-within a fence: FENCE is the compiler's, in JSON. A line of the output that begins with [ is the
-grades and the notes in JSON; the last one counts.
+of it, and build/, which links with the workbook's. PLAN is a Plan in JSON. What is compiled and run
+of the file is within fences; the tests are not, and run nothing of it: they ask it for numbers, see
+tests/remote/wire.h. A line of the output that begins with [ is the grades and the notes in JSON;
+the last one counts.
 """
 import difflib
 import itertools
 import json
+import os
 import re
 import resource
+import shlex
+import subprocess
 import sys
 from collections import Counter
 from dataclasses import asdict, dataclass, replace
@@ -19,7 +23,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).absolute().parents[1]))
 from base import exercises  # noqa: E402
-from classroom import fence, symbols  # noqa: E402
+from classroom import fence  # noqa: E402
 from judge import grade as grading  # noqa: E402
 from base import house  # noqa: E402
 from judge import includes, reading  # noqa: E402
@@ -27,8 +31,38 @@ from judge import includes, reading  # noqa: E402
 # Of every process: processor time [s], a file, memory [bytes]. Tests have less, see runs.py.
 LIMITS = {resource.RLIMIT_CPU: 60, resource.RLIMIT_FSIZE: 64 << 20, resource.RLIMIT_AS: 4 << 30,
           resource.RLIMIT_CORE: 0}
-FORGED = "It was not run: it {}, which no exercise needs and by which a result can be forged."
+LEFT_OUT = "What is added outside the exercises was left out. "
 NEVER_WAITS = "it throws that exercise {} is not written yet, which is not so"
+NEEDS_NONE = "it calls exercise {}, which is not written yet and which it does not need"
+
+
+@dataclass
+class Plan:
+    """How a chapter is graded."""
+    line: str      # commands: the object of the exercise file, and the program of the answer
+    spare: str     # the solution's object
+    answer: str    # the program of the answer
+    tests: str     # that of the tests
+    symbols: dict  # exercise: its functions; "": what is given
+    uses: dict     # exercise: the others that it needs
+    reads: list    # what the compiler reads
+    objects: list  # what the linker reads
+
+    @property
+    def compile(self):
+        return self.line.partition(" && ")[0]
+
+    @property
+    def link(self):
+        return self.line.partition(" && ")[2]
+
+    @property
+    def mixed(self):
+        """Links with the solution's object, too. What is weak in one is taken from the other."""
+        mine = re.search(r" -o (\S+\.o) ", self.compile)[1]
+        weaken = "".join(f"objcopy --weaken-symbols={name}.weak {path} {name}.o && "
+                         for name, path in (("mine", mine), ("spare", shlex.quote(self.spare))))
+        return weaken + re.sub(r"( -o \S+_mine )", r"\1mine.o spare.o ", self.link)
 
 
 @dataclass
@@ -41,32 +75,16 @@ class HandedIn(house.Chapter):
         return self.home / "chapters" / self.folder / f"{self.name}.cpp"
 
 
-@dataclass
-class Within:
-    """Puts what runs within a fence: the compiler within its own, and tests within one in which
-    they write nothing but their report."""
-    folder: Path
-    compiler: fence.Fence
-
-    def around(self, command, report):
-        return (self.compiler if report is None else fence.Fence(
-            str(self.folder), [str(self.folder / "chapters"), str(self.folder / "build" / "tests")],
-            [report])).around(command)
-
-    def end(self):
-        fence.end_children()
-
-
 class Judge:
-    """Grades the exercises. A wrong one is replaced by its solution, so that it costs
-    the others nothing: those that are right then wait for it."""
+    """Grades the exercises. Where one is wrong or missing, those that need it are tried again with
+    the solution's: the linker takes its functions from there. The compiler sees no solution."""
 
-    def __init__(self, chapter):
-        self.chapter, self.text = chapter, chapter.mine_text()
-        self.solution = exercises.read(chapter.solution)
+    def __init__(self, chapter, plan):
+        self.chapter, self.plan, self.text = chapter, plan, chapter.mine_text()
+        self.stub = exercises.stub(exercises.read(chapter.solution))
         self.look = reading.look(chapter)
-        self.outside = reading.changed_outside(exercises.stub(self.solution), self.text)
-        self.added, self.taken = added(self.solution, self.text), set()
+        self.outside = reading.changed_outside(self.stub, self.text)
+        self.added, self.left_out = added(self.stub, self.text), set()
         self.settled, self.notes = {}, includes.notes(self.text)
 
     def say(self):
@@ -80,15 +98,14 @@ class Judge:
             said = said.replace(json.dumps(f"{home}/")[1:-1], "")
         print(said, flush=True)
 
-    def settle(self, id_, status, words):
-        self.settled[id_] = grading.Grade(id_, status, words) if status == grading.BROKEN else \
-            grading.Grade(id_, status, failures=[("", words)])
-        self.taken.add(id_)
+    def broken(self, id_, words):
+        self.settled[id_] = grading.Grade(id_, grading.BROKEN, words)
+        self.left_out.add(id_)
 
     def judge(self):
         for id_, words, _ in self.look.faults:
             if id_ and id_ not in self.settled:
-                self.settle(id_, grading.BROKEN, words)
+                self.broken(id_, words)
         if words := includes.refused(self.text):
             self.notes = [words[0].upper() + words[1:]]
         if not self.text.strip():
@@ -96,66 +113,68 @@ class Judge:
         if words or len(self.settled) < len(self.chapter.ids()) and not self.build():
             for id_ in self.chapter.ids():
                 if id_ not in self.settled or words:
-                    self.settle(id_, grading.BROKEN, words or self.log)
+                    self.broken(id_, words or self.log)
             return
         written = [id_ for id_ in self.look.written() if id_ not in self.settled]
         self.say()
-        grades = grading.grade(self.chapter, written, fresh=True) if written else []
-        grades = self.without_added(grades)
+        grades = self.without_added(self.tested(written) if written else [])
         if self.outside:
             self.notes.append(f"Outside the exercises line{self.outside} "
                               f"{'have' if self.outside.startswith('s') else 'has'} changed; "
                               "what counts are the given lines"
                               + " and what is added between them" * bool(self.added) + ".")
-        self.peel(grades)
+        self.blame(grades)
 
     # ---- compiling -----------------------------------------------------------------------------
 
     def build(self):
-        """Builds the tests with as much of the file as compiles and reaches for nothing that is
-        not its own. False: with nothing of it."""
-        while True:
-            self.log = self.compile()
-            if not self.log and not self.forges():
-                return True
-            if id_ := self.log and self.first_to_fail():
-                self.settle(id_, grading.BROKEN, self.log)
-            elif self.added and (fault := self.alone(None)):
+        """Compiles as much of the file as can be. False: nothing of it."""
+        while self.compile():
+            if id_ := self.first_to_fail():
+                self.broken(id_, self.log)
+            elif self.added and self.alone(None):
                 self.added = {}
-                self.notes.append("What is added outside the exercises was left out. "
-                                  + (first_error(fault[1]) or fault[1]))
-            elif not self.settle_alone():
-                self.log = self.log or self.forges()
+                self.notes.append(LEFT_OUT + first_error(self.log))
+            elif not self.break_alone():
                 return False
+        return True
 
     def compile(self):
+        """Returns "" or what the compiler says."""
         exercises.write(self.chapter.home / "compiled" / self.chapter.mine.name, self.composed())
-        try:
-            return grading.build(self.chapter)
-        except house.Trouble as trouble:  # an error without a place in the file
-            return str(trouble)
+        self.log = self.run(self.plan.compile, self.plan.reads) or self.link()
+        return self.log
 
-    def forges(self):
-        """What the object reaches for that no exercise needs, in a sentence; "": nothing."""
-        words = symbols.unneeded(next((self.chapter.home / "build").rglob(
-            f"{self.chapter.mine.name}.o")), lambda words: house.fenced(words, None))
-        return FORGED.format(words) if words else ""
+    def link(self, taken=()):
+        """Links the program of the answer, with the functions of some exercises of the solution:
+        of each one the other definition is weak, and what is not called is left out."""
+        names = {name for id_ in taken for name in self.plan.symbols[id_]}
+        all_ = {name for of_one in self.plan.symbols.values() for name in of_one}
+        for file, weak in (("mine", names), ("spare", all_ - names)):
+            exercises.write(self.chapter.home / "build" / f"{file}.weak", "\n".join(weak))
+        return self.run(self.plan.mixed if taken else self.plan.link, self.plan.objects)
+
+    def run(self, line, reads):
+        """Runs commands in the build folder, which see what they read. "", or what they say."""
+        folder = str(self.chapter.home / "build")
+        within = fence.Fence(folder, reads, [folder], quiet=False)
+        said = subprocess.run(within.around(["sh", "-c", line]), capture_output=True, text=True,
+                              errors="replace", cwd=folder)
+        return house.compiler_words(said.stdout + said.stderr) if said.returncode else ""
 
     def alone(self, id_):
-        """(status, why) of one exercise, or of none, beside the solution of the others; None where
-        nothing is wrong."""
-        kept, self.taken = self.taken, set(self.chapter.ids()) - {id_}
+        """What the compiler says of one exercise, or of none, without the others."""
+        kept, self.left_out = self.left_out, set(self.chapter.ids()) - {id_}
         log = self.compile()
-        words = log or self.forges()
-        self.taken = kept
-        return words and (grading.BROKEN if log else grading.WRONG, words)
+        self.left_out = kept
+        return log
 
-    def settle_alone(self):
+    def break_alone(self):
         """Settles the exercises that are to blame even alone. True: there are some."""
-        left = [id_ for id_ in self.look.written() if id_ not in self.taken]
-        guilty = {id_: fault for id_ in left if (fault := self.alone(id_))}
-        for id_, fault in guilty.items():
-            self.settle(id_, *fault)
+        left = [id_ for id_ in self.look.written() if id_ not in self.left_out]
+        guilty = {id_: log for id_ in left if (log := self.alone(id_))}
+        for id_, log in guilty.items():
+            self.broken(id_, log)
         return bool(guilty)
 
     def first_to_fail(self):
@@ -164,16 +183,16 @@ class Judge:
                           self.log.replace(f"{self.chapter.mine.parent}/", ""), re.M)
         return next((region.id for region in exercises.scan(self.text)[0] if place and
                      region.begin <= int(place[1]) <= region.end + 2
-                     and region.id not in self.taken), None)
+                     and region.id not in self.left_out), None)
 
     def composed(self):
-        """The given lines, with what is added between them and the exercises of the file, those
-        apart that are taken from the solution. The compiler counts the lines as the file does."""
-        own, solved = {}, {}
-        for text, found in ((self.text, own), (self.solution, solved)):
+        """The given lines, with what is added between them and the exercises of the file, except
+        those that are left out. The compiler counts the lines as the file does."""
+        own, given_ = {}, {}
+        for text, found in ((self.text, own), (self.stub, given_)):
             for region in exercises.scan(text)[0]:
                 found.setdefault(region.id, []).append(region)
-        lines, count, mine = self.solution.split("\n"), Counter(), f'"{self.chapter.mine}"'
+        lines, count, mine = self.stub.split("\n"), Counter(), f'"{self.chapter.mine}"'
         said, at, line = [f"#line 1 {mine}", *self.added.get(None, [])], 0, 1
 
         def given(until):
@@ -182,16 +201,16 @@ class Judge:
                 if number + 1 in self.added:
                     place, block = self.added[number + 1]
                     said.extend([f"#line {place} {mine}", *block, f"#line {number + 2} {mine}"])
-        for region in exercises.scan(self.solution)[0]:
+        for region in exercises.scan(self.stub)[0]:
             said.append(f"#line {line} {mine}")
             given(region.begin)
             place, at, line = count[region.id], region.end, region.end + 1
             count[region.id] += 1
             found = own.get(region.id, [])
-            if len(found) == len(solved[region.id]):
+            if len(found) == len(given_[region.id]):
                 line = found[place].end + 1
-            if region.id in self.taken or len(found) != len(solved[region.id]):
-                said += ['#line 1 "solution.cpp"', *region.lines]
+            if region.id in self.left_out or len(found) != len(given_[region.id]):
+                said += region.lines
             else:
                 said += [f"#line {found[place].begin + 1} {mine}", *found[place].lines]
         said.append(f"#line {line} {mine}")
@@ -200,55 +219,57 @@ class Judge:
 
     # ---- which exercise is to blame --------------------------------------------------------------
 
+    def tested(self, ids, taken=()):
+        """The grades of exercises, some others taken from the solution."""
+        if log := self.link(taken):
+            return [grading.Grade(id_, grading.BROKEN, log) for id_ in ids]
+        answer = self.chapter.home / "build" / self.plan.answer
+        within = fence.Fence(str(self.chapter.home), [str(answer)])
+        os.environ["WORKBOOK_ANSWERER"] = "exec " + shlex.join(within.around([answer]))
+        found = grading.tested(self.chapter, ids, self.plan.tests)
+        return [found[id_] for id_ in ids]
+
     def without_added(self, grades):
         """Where something is wrong: the grades without the added lines, if they are better."""
         wrong = [one.id for one in grades if one.status == grading.WRONG]
         if not (self.added and wrong):
             return grades
         kept, self.added = self.added, {}
-        better = [] if self.compile() else \
-            grading.grade(self.chapter, [one.id for one in grades], fresh=True)
+        better = [] if self.compile() else self.tested([one.id for one in grades])
         if better and sum(one.status == grading.WRONG for one in better) < len(wrong):
+            self.notes.append(LEFT_OUT)
             return better
         self.added = kept
+        self.compile()
         return grades
 
-    def peel(self, grades):
-        """Settles the grades. The first that is wrong is to blame for itself; the others are tried
-        again with the solution's version of it, and of those that are not written."""
-        blamed = []
-        while grades:
-            grades = [self.honest(one) for one in grades]
-            for one in grades:
-                if one.status == grading.DONE:
-                    self.settled[one.id] = one if not blamed else replace(
-                        one, status=grading.WAITS, detail=", ".join(blamed))
-            left = [one for one in grades if one.id not in self.settled]
-            missing = {one.detail for one in left if one.status == grading.WAITS}
-            first = next((one for one in left if one.status == grading.WRONG), None)
-            if first:
-                self.settled[first.id] = first
-            new = sorted((missing | ({first.id} if first else set())) - self.taken)
-            blamed += new
-            self.taken |= set(new)
+    def blame(self, grades):
+        """Settles the grades. What is not right is tried again with the solution's version of all
+        that it needs and that is not right either; then it is to blame for itself."""
+        self.settled |= {one.id: one for one in grades if one.status == grading.DONE}
+        right = {id_ for id_, one in self.settled.items() if one.status == grading.DONE}
+        innocent = {}
+        for one in grades:
+            if one.id in right:
+                continue
+            if taken := set(self.plan.uses[one.id]) - right:
+                one = self.tested([one.id], taken)[0]
+            if one.status == grading.DONE:
+                innocent[one.id] = one
+            elif one.status == grading.WAITS:
+                words = NEEDS_NONE if one.detail in self.missing() else NEVER_WAITS
+                one = replace(one, status=grading.WRONG,
+                              failures=[("", words.format(one.detail))])
+            self.settled[one.id] = one
             self.say()
-            left = [one for one in left if one.id not in self.settled]
-            if not left or not new or self.compile():
-                for one in left:
-                    self.settled[one.id] = one
-                break
-            grades = grading.grade(self.chapter, [one.id for one in left], fresh=True)
+        for id_, one in innocent.items():
+            guilty = sorted(set(self.plan.uses[id_]) - right - set(innocent))
+            self.settled[id_] = replace(one, status=grading.WAITS, detail=", ".join(guilty)) \
+                if guilty else one
 
-    def honest(self, one):
-        """A grade; one that waits for nothing that is missing is wrong."""
-        if one.status != grading.WAITS or one.detail in self.open():
-            return one
-        return replace(one, status=grading.WRONG,
-                       failures=[("", NEVER_WAITS.format(one.detail))])
-
-    def open(self):
-        """What is not written yet."""
-        return {id_ for id_ in self.chapter.ids() if id_ not in self.look.written()} - self.taken
+    def missing(self):
+        """What is not written, or not compiled."""
+        return set(self.chapter.ids()) - set(self.look.written()) | self.left_out
 
 
 def added(given, mine):
@@ -284,20 +305,13 @@ def first_error(log):
                  if word in line.lower()), "")
 
 
-def main(folder, chapter, compiler):
+def main(folder, chapter, plan):
     for limit, most in LIMITS.items():
         resource.setrlimit(limit, (most, most))
-    house.BUILD = folder / "build"
-    house.fence = Within(folder, compiler)
-    fence.adopt()
-    judge = Judge(HandedIn(chapter.number, chapter.folder, chapter.name, folder))
-    try:
-        judge.judge()
-    except house.Trouble as trouble:
-        for id_ in judge.look.written():
-            judge.settled.setdefault(id_, grading.Grade(id_, grading.BROKEN, str(trouble)))
+    judge = Judge(HandedIn(chapter.number, chapter.folder, chapter.name, folder), plan)
+    judge.judge()
     judge.say()
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]), house.chapter_of(sys.argv[2]), fence.Fence(**json.loads(sys.argv[3])))
+    main(Path(sys.argv[1]), house.chapter_of(sys.argv[2]), Plan(**json.loads(sys.argv[3])))

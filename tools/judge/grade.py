@@ -90,7 +90,7 @@ def read_case(grade, case, chapter):
     for element in case.iter():
         text = (element.text or "").strip()
         if element.tag == "Exception":
-            plain = plainly(text)
+            plain = runs.thrown(text)
             words.append(f"it threw an exception: {plain}" if plain == text else plain)
             says_where = False
         elif element.tag == "Failure" and text:
@@ -177,32 +177,38 @@ def grade(chapter, ids=None, limit=runs.LIMIT, fresh=False):
         return [Grade(id_, BROKEN, log) for id_ in ids]
     known = {} if fresh else recall(chapter)
     found = {id_: known[id_] for id_ in ids if id_ in known}
-    waiting = [id_ for id_ in ids if id_ not in found]
-    while waiting:
-        part = {id_: Grade(id_) for id_ in waiting}
-        house.progress(f"testing {' '.join(waiting)}")
-        with house.talking():
-            run = runs.run(program_of(chapter), waiting, limit)
-        ended = read(run, part, chapter) or waiting
-        for id_ in ended:
-            if part[id_].tests == 0 and not run.fault:
-                raise house.Trouble(f"exercise {id_} has no test")
-            if len(ended) == 1 and limit == runs.LIMIT:
-                part[id_].printed = printed(chapter, part[id_], run)
-            found[id_] = part[id_]
-        waiting = [id_ for id_ in waiting if id_ not in ended]
+    found |= tested(chapter, [id_ for id_ in ids if id_ not in found], program_of(chapter), limit)
     house.progress_done()
     keep(chapter, found)
     return [found[id_] for id_ in ids]
 
 
-def printed(chapter, grade, run):
+def tested(chapter, waiting, program, limit=runs.LIMIT):
+    """{exercise: what the program of the tests says of it}."""
+    found = {}
+    while waiting:
+        part = {id_: Grade(id_) for id_ in waiting}
+        house.progress(f"testing {' '.join(waiting)}")
+        with house.talking():
+            run = runs.run(program, waiting, limit)
+        ended = read(run, part, chapter) or waiting
+        for id_ in ended:
+            if part[id_].tests == 0 and not run.fault:
+                raise house.Trouble(f"exercise {id_} has no test")
+            if len(ended) == 1 and limit == runs.LIMIT and program == program_of(chapter):
+                part[id_].printed = printed(program, part[id_], run)
+            found[id_] = part[id_]
+        waiting = [id_ for id_ in waiting if id_ not in ended]
+    return found
+
+
+def printed(program, grade, run):
     """What the code of an exercise prints: of a wrong one in the test that is told, else in the
     first."""
     name = next((name for name, _ in grade.failures), run.cases[0].get("name") if run.cases else "")
     if not name or not (run.printed or run.fault):
         return run.printed
-    return runs.said_in(program_of(chapter), name) or run.printed
+    return runs.said_in(program, name) or run.printed
 
 
 def units(chapter, id_):

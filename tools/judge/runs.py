@@ -1,5 +1,6 @@
 """Runs the tests of exercises in a process of their own and reads what it says, however it ends."""
 import os
+import re
 import signal
 import subprocess
 import tempfile
@@ -8,7 +9,6 @@ import tty
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, field
 
-from base import house
 from judge import crashes
 
 # Processor time for the tests of an exercise [s]: they take milliseconds. The proofs wait less.
@@ -43,7 +43,7 @@ def run(program, ids, limit=LIMIT, answer=None, to_end=True):
         status, printed = process(
             [program, ",".join(f"[{id_}]" for id_ in ids), "-r", "xml", "-o", report.name,
              *["-a"] * (not to_end)],
-            limit, report.name, env)
+            limit, env)
         cases, open_case, whole = read(report.read())
     own, library = apart(printed)
     result = Run(cases, printed=own)
@@ -60,7 +60,7 @@ def run(program, ids, limit=LIMIT, answer=None, to_end=True):
     return result
 
 
-def process(command, limit, report, env=None):
+def process(command, limit, env=None):
     """(exit status, what was printed) of a process with limits. It prints to a terminal of its own:
     into a pipe the last lines before a crash would be lost."""
     try:
@@ -68,7 +68,7 @@ def process(command, limit, report, env=None):
         tty.setraw(its)
     except OSError:  # a system without terminals, such as a bare container
         ours, its = os.pipe()
-    child = subprocess.Popen(["sh", "-c", LIMITED, str(limit), *house.fenced(command, report)],
+    child = subprocess.Popen(["sh", "-c", LIMITED, str(limit), *command],
                              stdin=subprocess.DEVNULL, stdout=its, stderr=its, env=env)
     os.close(its)
     kept = []
@@ -80,8 +80,6 @@ def process(command, limit, report, env=None):
     alarm.cancel()
     listener.join(1)  # what it has left running in the background may print for ever
     os.close(ours)
-    if house.fence:
-        house.fence.end()
     if status > 128:  # how what stands around it says by which signal it was ended
         status = 128 - status
     return status, b"".join(kept).decode(errors="replace")
@@ -130,6 +128,20 @@ def ending(status, limit):
     return "the program ended in the middle of a test: does the code call exit()?"
 
 
+def thrown(words):
+    """What was thrown in a test, in plain words; or how the process ended that was asked for an
+    answer, see tests/remote/client.cpp."""
+    match = re.match(r"Exercise [\d.]+: (.*)\nended with status (-?\d+)$", words, re.S)
+    if not match:
+        return crashes.plainly(words)
+    status = int(match[2]) if int(match[2]) <= 128 else 128 - int(match[2])
+    own, library = apart(match[1])
+    name = signal.Signals(-status).name if -status in set(signal.Signals) else ""
+    last = f"{library}\n{name}"
+    plain = crashes.plainly(last)
+    return ending(status, LIMIT) if plain == last else plain
+
+
 def apart(printed):
     """What the tested code printed, and the library's last words."""
     own, library = [], []
@@ -149,6 +161,5 @@ def said_in(program, name, limit=1):
     of this kind Catch2 leaves std::cout alone."""
     quoted = '"' + "".join("\\" + c if c in '\\",[]' else c for c in name) + '"'
     with tempfile.NamedTemporaryFile(prefix="joints_") as report:
-        _, printed = process([program, quoted, "-r", "compact", "-o", report.name], limit,
-                                report.name)
+        _, printed = process([program, quoted, "-r", "compact", "-o", report.name], limit)
     return apart(printed)[0]

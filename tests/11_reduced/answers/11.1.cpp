@@ -30,7 +30,7 @@
 //         (link.freedom == Freedom::weld) ==> else
 // mistake "the slider is rotated by x as well": link.d += link.x * link.a; ==> link.d += link.x *
 //         link.a; link.q = rotation(link.x * link.a) * link.q;
-// wrong "Case: hinge": if (link.freedom == Freedom::hinge) ==> if (false)
+// wrong "the line of link.q is missing": if (link.freedom == Freedom::hinge) ==> if (false)
 // right by the rotation of the axis: const real half = link.x / 2; ==> ;; const quat turned =
 //         std::cos(half) * link.start + std::sin(half) * link.start_axis; ==> const quat turned =
 //         rotation(link.x * link.axis_local) * link.start;

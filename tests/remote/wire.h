@@ -1,0 +1,96 @@
+// How ./wb grade asks for an answer: the functions of a handed in file run in a process of their
+// own, which gets arguments and gives numbers back. The tests and their report are in another one,
+// which never runs that code.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+#include "engine/body.h"
+
+namespace joints {
+
+/// All of a body but what a step keeps of it: no address is sent.
+inline auto members(Body& body) {
+  return std::tie(body.x, body.q, body.v, body.w, body.inverse_mass, body.inverse_inertia_local,
+                  body.force, body.torque, body.kinematic, body.w_is_mean, body.precession,
+                  body.mean);
+}
+
+}  // namespace joints
+
+namespace joints::testing::remote {
+
+/// Values as bytes, in sequence.
+struct Bytes {
+  std::string data;
+  std::size_t at = 0;  ///< of the next that is read
+
+  void write(const void* from, std::size_t size) {
+    data.append(static_cast<const char*>(from), size);
+  }
+  /// Whatever was sent: what is not there is not read.
+  void read(void* to, std::size_t size) {
+    if (size > data.size() - at) throw std::runtime_error("an answer that is too short");
+    data.copy(static_cast<char*>(to), size, at);
+    at += size;
+  }
+};
+
+template <class T>
+constexpr bool is_vector = false;
+template <class T>
+constexpr bool is_vector<std::vector<T>> = true;
+
+/// Appends a value: numbers and structs of them, vectors of any depth, and structs whose parts a
+/// function `members` of their namespace returns.
+template <class T>
+void put(Bytes& bytes, const T& value) {
+  if constexpr (is_vector<T>) {
+    put(bytes, value.size());
+    for (const typename T::value_type& one : value) put(bytes, one);
+  } else if constexpr (requires(T& whole) { members(whole); }) {
+    std::apply([&](auto&... part) { (put(bytes, part), ...); }, members(const_cast<T&>(value)));
+  } else {
+    static_assert(std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>);
+    bytes.write(&value, sizeof value);
+  }
+}
+
+/// Reads what put() has written.
+template <class T>
+void get(Bytes& bytes, T& value) {
+  if constexpr (is_vector<T>) {
+    std::size_t count = 0;
+    get(bytes, count);
+    value.clear();
+    while (count-- > 0) {
+      typename T::value_type one{};
+      get(bytes, one);
+      value.push_back(one);
+    }
+  } else if constexpr (requires { members(value); }) {
+    std::apply([&](auto&... part) { (get(bytes, part), ...); }, members(value));
+  } else {
+    bytes.read(&value, sizeof value);
+  }
+}
+template <class T>
+T got(Bytes& bytes) {
+  T value{};
+  get(bytes, value);
+  return value;
+}
+
+/// What a message is. An answer asks when it needs something of the tests, such as a solver.
+enum class Kind : char { call, asks, result, not_done, thrown };
+
+void send(int to, Kind kind, const std::string& data);
+/// False at the end of what is there.
+bool receive(int from, Kind& kind, Bytes& bytes);
+
+}  // namespace joints::testing::remote

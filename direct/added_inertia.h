@@ -52,7 +52,8 @@ class AddedInertia {
     Slowed slowed{};       // the body with added inertia
   };
   bool adds(int slot) const { return used() && now_[slot].force_lever != vec3(0); }
-  void find(real acted, const Bodies& bodies, const Blocks& blocks, JointIslands& islands, std::vector<Pulled>& of);
+  void find(real acted, const Bodies& bodies, const Blocks& blocks, JointIslands& islands,
+            std::vector<Pulled>& of);
   void slow_down(const Body& body, int slot, const SolverMemory& memory);
 
   std::vector<Pulled> now_, next_;  // of each slot: of the step, and as its impulses require

@@ -15,7 +15,8 @@ void SolverMemory::read(const std::vector<real>& from, int slots) {
   inertia.clear(), patterns.clear(), last.clear(), expected.clear();
   if (from.size() < 2) return;
   const real left = real(from.size() - 2);
-  if (!(from[0] >= 0 && from[0] <= real(slots) && from[1] >= 0 && 3 * from[0] + 2 * from[1] <= left))
+  if (!(from[0] >= 0 && from[0] <= real(slots) && from[1] >= 0 &&
+        3 * from[0] + 2 * from[1] <= left))
     return;
   const std::size_t bodies = std::size_t(from[0]), islands = std::size_t(from[1]);
   auto at = from.begin() + 2;

@@ -57,15 +57,17 @@ inline void check(const SwingAngle& part) {
   require_unit("a2_local", part.a2_local);
 }
 
-/// An angle that is held, exact at every swing: a twist at any angle or, beside a twist that is held
-/// at zero, a component of the swing at zero. The rows of these angles (Eq. 3-10, SwingAngle) grow
-/// without bound near half a turn of swing, and at it the angles are arbitrary; this one is not.
+/// An angle that is held, exact at every swing: a twist at any angle or, beside a twist that is
+/// held at zero, a component of the swing at zero. The rows of these angles (Eq. 3-10, SwingAngle)
+/// grow without bound near half a turn of swing, and at it the angles are arbitrary; this one is
+/// not.
 ///
-/// q = (w, v) is the rotation of body 2 relative to body 1 from the pose in which the angle is zero,
-/// and a = a1_local. C = 2 sign (cos(at/2) v.a - sin(at/2) w) [1], about the difference of the
-/// angles [rad] where it and the swing are small; with g = sign (cos(at/2) (w a + v x a) + sin(at/2)
-/// v) in the axes of body 1, J = (0, -g^T, 0, g^T), and |g| = 1 where C = 0; K = g.(I1^-1 + I2^-1) g
-/// [1/(kg m^2)]. It knows no whole turns. Source: q' = Omega q / 2; the error is ours.
+/// q = (w, v) is the rotation of body 2 relative to body 1 from the pose in which the angle is
+/// zero, and a = a1_local. C = 2 sign (cos(at/2) v.a - sin(at/2) w) [1], about the difference of
+/// the angles [rad] where it and the swing are small; with g = sign (cos(at/2) (w a + v x a) +
+/// sin(at/2) v) in the axes of body 1, J = (0, -g^T, 0, g^T), and |g| = 1 where C = 0;
+/// K = g.(I1^-1 + I2^-1) g [1/(kg m^2)]. It knows no whole turns. Source: q' = Omega q / 2; the
+/// error is ours.
 struct HeldAngle {
   HingeAngle angle;  ///< the axis, and the pose in which the angle is zero
   real at = 0;       ///< where it is held [rad]

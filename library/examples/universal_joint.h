@@ -20,8 +20,8 @@ struct RightAngle {
     return dot(to_world(body1, a1_local), to_world(body2, a2_local));
   }
   Row jacobian(const Body& body1, const Body& body2) const {
-    const vec3 n = cross(to_world(body1, a1_local), to_world(body2, a2_local));
-    return {vec3(0), n, vec3(0), -n};
+    const vec3 across = cross(to_world(body1, a1_local), to_world(body2, a2_local));
+    return {vec3(0), across, vec3(0), -across};
   }
 };
 

@@ -16,9 +16,8 @@ struct SlowedCase {
 };
 inline std::string slowed_given(const SlowedCase& c) {
   return "Case: mass " + short_number(1 / double(c.body.inverse_mass)) + " kg, force_lever " +
-         in_words(c.force_lever) + " N m, before " +
-         in_words(c.before) + " kg m^2, kappa " + short_number(double(c.kappa)) + ", h " + short_number(double(c.h)) +
-         " s.";
+         in_words(c.force_lever) + " N m, before " + in_words(c.before) + " kg m^2, kappa " +
+         short_number(double(c.kappa)) + ", h " + short_number(double(c.h)) + " s.";
 }
 
 /// The body for pencil and paper: moments 1, 4 and 4 kg m^2, of which the step follows 4, 2 and 4.

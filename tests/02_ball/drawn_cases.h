@@ -11,7 +11,7 @@ namespace joints::testing {
 
 /// A ball joint with levers of any length.
 inline Drawn drawn_point(Draw& d, bool of_K) {
-  const Draw::Units u = d.units();
+  const Draw::Units u = d.units(12);
   Pair pair = d.pair(u);
   const auto [anchor1, anchor2] = d.levers(u);
   Point point{anchor1, anchor2};

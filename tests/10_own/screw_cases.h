@@ -47,8 +47,9 @@ struct ScrewFixture {
   static constexpr std::array rows{"C"};
   static constexpr bool exact_when_broken = true;
   static Part make(const Pair& pair) {
+    const real lead = real(pair.body2.q.x > 0 ? 0.9 : -0.9);  // half of the screws are left-handed
     return {drawn_screw(pair, normalize(vec3(real(0.6), -1, real(0.3))),
-                        vec3(real(0.8), real(0.4), real(-0.6)), real(0.9))};
+                        vec3(real(0.8), real(0.4), real(-0.6)), lead)};
   }
   static void move_freely(const Part& part, Pair& pair, Random& random) {
     const vec3 a = to_world(pair.body1, part.slide.a1_local);

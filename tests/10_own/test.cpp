@@ -26,6 +26,8 @@ void check_by_hand(const Part& part, const Pair& pair, const Row& row) {
 
 // Errors that are small, and none may be left out for it.
 constexpr double nearly_closed[] = {1e-3, -1e-5, 1e-8, -1e-11};
+// And large ones, of which nothing may be cut off.
+constexpr double far_off[] = {3e3, -3e5, 3e7};
 
 }  // namespace
 
@@ -59,6 +61,12 @@ TEST_CASE("10.2 a gear of 1 to -2 holds after a quarter turn and half a turn bac
   for (const double off : nearly_closed)
     gear_table().check(
         {"nearly closed", gear, {static_body(vec3(0)), turned_body({0, 0, real(off)})}}, {off});
+  for (const double turns : far_off) {
+    Gear far = gear;
+    far.angle2.expected = real(2 * std::numbers::pi * turns);
+    gear_table().check({"far off", far, {static_body(vec3(0)), static_body(vec3(0))}},
+                       {2 * std::numbers::pi * turns});
+  }
   gear_table().check();
   check_by_hand<GearFixture>(gear, closed, Row{vec3(0), vec3(0, 0, 2), vec3(0), vec3(0, 0, 1)});
 }
@@ -106,6 +114,9 @@ TEST_CASE("10.3 a screw with a lead of 0.2 m moves its nut by 0.05 m in a quarte
     screw_table().check(
         {"nearly closed", screw, {closed.body1, turned_body(vec3(0), vec3(0, 0, real(off)))}},
         {off});
+  for (const double off : far_off)
+    screw_table().check(
+        {"far off", screw, {closed.body1, turned_body(vec3(0), vec3(0, 0, real(off)))}}, {off});
   screw_table().check();
   const real p = real(0.2) / (4 * quarter);
   check_by_hand<ScrewFixture>(screw, late, Row{vec3(0, 0, -1), vec3(0, 0, p), vec3(0, 0, 1),

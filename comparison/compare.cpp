@@ -20,7 +20,8 @@ namespace joints {
 
 namespace {
 
-using Stepper = std::function<void(World&, real)>;
+// Returns what the solver says of the step.
+using Stepper = std::function<std::vector<std::string>(World&, real)>;
 constexpr double none = std::numeric_limits<double>::infinity();
 
 // ---- the methods --------------------------------------------------------------------------------
@@ -35,7 +36,17 @@ template <class S>
 Stepper by(World& world, real beta, const S& settings, const StepOptions& how) {
   world.set_beta(beta);
   const auto solver = std::make_shared<S>(settings);
-  return [=](World& world, real h) { step(world, *solver, h, how); };
+  return [=](World& world, real h) {
+    step(world, *solver, h, how);
+    if constexpr (requires { solver->report().sentences(); }) return solver->report().sentences();
+    else return std::vector<std::string>{};
+  };
+}
+Stepper by_tree(const std::shared_ptr<Reduced>& tree) {
+  return [=](World& world, real h) {
+    tree->step(world, h);
+    return std::vector<std::string>{};
+  };
 }
 DirectSolver direct(int newton, real added_inertia = 0) {
   DirectSolver solver;
@@ -81,14 +92,14 @@ const Method methods[] = {
     {"reduced coordinates", "Reduced tree(world); tree.step(world, h);",
      [](World& w) {
        const auto tree = std::make_shared<Reduced>(w);
-       return Stepper([=](World& world, real h) { tree->step(world, h); });
+       return by_tree(tree);
      }},
     {"reduced, Runge-Kutta", "Reduced tree(world); tree.method = Reduced::Method::runge_kutta;\n"
      "tree.step(world, h);",
      [](World& w) {
        const auto tree = std::make_shared<Reduced>(w);
        tree->method = Reduced::Method::runge_kutta;
-       return Stepper([=](World& world, real h) { tree->step(world, h); });
+       return by_tree(tree);
      }},
 };
 constexpr int reference_method = 5;
@@ -169,8 +180,9 @@ Track run(const std::function<World()>& make_world, const Wish& wish, const Meth
       for (int part = 0; part < parts; ++part) {
         if (wish.control) wish.control(world, (n + double(part) / parts) * double(wish.h));
         const double start = now_us();
-        advance(world, wish.h / real(parts));
+        const std::vector<std::string> said = advance(world, wish.h / real(parts));
         us += now_us() - start;
+        if (!said.empty() && out.steps_said++ == 0) out.said = said.front();
       }
       times.push_back(us);
       track.us += us;
@@ -265,6 +277,10 @@ std::string Comparison::table() const {
       std::snprintf(line, sizeof line, "%-26s  %.160s\n", m.name.c_str(), m.failed.c_str());
     out += line;
   }
+  for (const MethodResult& m : methods)
+    if (m.steps_said > 0)
+      out += "Said by " + m.name + " in " + std::to_string(m.steps_said) + " steps: " + m.said +
+             "\n";
   if (reference_until > 0)
     out += "The reference: two refinements agree for " + shown(reference_until) + " s, to " +
            shown(reference_apart) + " m.\n";

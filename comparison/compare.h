@@ -37,6 +37,8 @@ struct MethodResult {
   double distance = 0;     ///< of any body from the reference, as long as there is one [m]
   double energy = 0;       ///< kinetic and potential energy gained from first to last [J]
   std::string failed{};    ///< what stopped it, or empty
+  std::string said{};      ///< the first sentence of a step that could not hold everything
+  int steps_said = 0;      ///< the number of such steps
   bool meets = false;      ///< all that the Wish says
 };
 

@@ -27,6 +27,22 @@ void DirectSolver::check() const {
   fallback.check();
 }
 
+std::vector<std::string> DirectSolver::Report::sentences() const {
+  std::vector<std::string> out;
+  if (corrections > 0 && !moved_exactly && !iterated)
+    out.push_back("Joints are open at the new poses: their rows contradict each other, or a body "
+                  "turns too far in a step. Take a shorter step.");
+  else if (halved > 0)
+    out.push_back("A body turned too far in the step, and its island was slowed down. Take a "
+                  "shorter step.");
+  if (iterated)
+    out.push_back("A body has so many joints that its island was iterated. Raise most_work to "
+                  "solve it directly.");
+  if (wrong > 0)
+    out.push_back("A limit, motor or contact is on the wrong side of its bounds. Raise passes.");
+  return out;
+}
+
 // ---- once per step ------------------------------------------------------------------------------
 
 void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) {

@@ -1,6 +1,9 @@
 // The direct solver: finds the impulses of all joints at once.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "direct/positions.h"
 #include "engine/steps/two_pass_impulses.h"
 
@@ -48,6 +51,9 @@ class DirectSolver : public Solver {
     double multiplications = 0;  ///< of the factorisations of all islands, approximately
     int fill = 0;                ///< entries that elimination filled in
     bool iterated = false;       ///< `fallback` was used for an island
+
+    /// What the step could not hold, and what to do about it, a sentence each; none if it could.
+    std::vector<std::string> sentences() const;
   };
   const Report& report() const { return report_; }  ///< of the last step
   int dependent() const;  ///< number of rows of the last factor that depend on others

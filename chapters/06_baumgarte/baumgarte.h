@@ -58,6 +58,7 @@ struct Chain {
 /// once, in order, each at the poses that result from the previous one.
 void projection_iteration(Chain& chain);
 
+#ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 /// A joint of a chain, prepared for iterations at the present poses.
 struct JointRows {
   Jacobian<3> J;  ///< its rows
@@ -112,6 +113,7 @@ struct SoftStep {
 /// \param gravity [m/s^2] \param h the whole step [s], as long as the last one
 void soft_step(Chain& chain, std::vector<vec3>& impulses, const SoftStep& how, const vec3& gravity,
                real h);
+#endif
 
 }  // namespace joints
 /// @}

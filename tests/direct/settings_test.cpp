@@ -52,6 +52,42 @@ TEST_CASE("a net whose factor is too dear is left to iterations, and no more whe
   CHECK_FALSE(solver.report().iterated);
 }
 
+TEST_CASE("what a step cannot hold it says in words, and nothing where it holds everything") {
+  const auto says = [](const DirectSolver& solver, const char* words) {
+    const std::vector<std::string> all = solver.report().sentences();
+    return std::any_of(all.begin(), all.end(), [&](const std::string& one) {
+      return one.find(words) != std::string::npos;
+    });
+  };
+  Scene net8 = net(8);
+  DirectSolver frugal, calm = shake();
+  frugal.most_work = 1;
+  run(net8.world, frugal, 1);
+  CHECK(says(frugal, "most_work"));
+  run(net8.world, calm, 20);
+  CHECK(calm.report().sentences().empty());
+
+  World rods;  // of one and of two metres between the same two centres
+  const BodyId a = rods.add(static_body(vec3(0))), b = rods.add(ball(1, 1, vec3(1, 0, 0)));
+  rods.add<CentreDistanceJoint>(a, b, CentreDistance{1});
+  rods.add<CentreDistanceJoint>(a, b, CentreDistance{2});
+  DirectSolver open = shake();
+  run(rods, open, 1);
+  CHECK(says(open, "contradict"));
+
+  World fast;
+  fast.gravity = vec3(0);
+  const BodyId frame = fast.add(box(1, vec3(1), vec3(0)));
+  const vec3 moments(real(0.02), real(0.03), real(0.05));
+  const BodyId rotor = fast.add(body_with(1, moments, vec3(1, 0, 0)));
+  fast.bodies[rotor].w = vec3(150, 200, 100);
+  fast.add<HingeJoint>(frame, rotor, vec3(1, 0, 0), vec3(0, 0, 1));
+  DirectSolver slowed = shake();
+  bool said = false;
+  for (int n = 0; n < 30; ++n) run(fast, slowed, 1), said = said || says(slowed, "shorter step");
+  CHECK(said);
+}
+
 TEST_CASE("the estimate of a hub's work is of the third power of its arms") {
   const auto work = [](int arms) {
     Scene scene = star(arms);

@@ -62,6 +62,7 @@ TEST_CASE("10.2 a gear of 1 to -2 holds after a quarter turn and half a turn bac
     gear_table().check(
         {"nearly closed", gear, {static_body(vec3(0)), turned_body({0, 0, real(off)})}}, {off});
   for (const double turns : far_off) {
+    if (is_float && turns > 100) break;  // float has no digits for a fraction of so many turns
     Gear far = gear;
     far.angle2.expected = real(2 * std::numbers::pi * turns);
     gear_table().check({"far off", far, {static_body(vec3(0)), static_body(vec3(0))}},

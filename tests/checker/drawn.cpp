@@ -247,6 +247,8 @@ Side explained(const std::vector<Trial>& all, std::size_t cases, const std::stri
     const double here = double(side.right_here + wrong);  // all that are wrong lie there by chance?
     const double chance = std::pow(here / (here + side.right_elsewhere), wrong);
     if (kind == Trait::Kind::side) return chance < 0.03;
+    const bool mixed = !side.sharp && 4 * side.right_here > wrong;
+    if (kind == Trait::Kind::size && (chance > 0.02 || mixed)) return false;  // not of it
     if (side.sharp && (kind == Trait::Kind::count || side.round)) return true;
     const bool few = kind == Trait::Kind::count ? !side.several : yours == "of the other sign";
     return side.sharp || !few ? chance < 0.003 && side.right_here <= 3 * wrong

@@ -1,8 +1,8 @@
 // wrong drawn-stops: rows.push_back(set_up(link, bodies, settings)); ==>
 //         rows.push_back(set_up(link, bodies, settings)); if (rows.size() > 4) rows.resize(4); ;; k
 //         < links.size() ==> k < rows.size()
-// wrong drawn-threshold: apply_impulse(rows ==> if (std::abs(lambda) > real(1e-12))
-//         apply_impulse(rows
+// wrong "cases drawn with seed 1 are wrong": apply_impulse(rows ==> if (std::abs(lambda) >
+//         real(1e-12)) apply_impulse(rows
 // wrong drawn-cut: apply_impulse(rows ==> lambda = glm::clamp(lambda, real(-1e3), real(1e3));
 //         apply_impulse(rows
 // mistake "forces after the impulses: the rods do not react to gravity": for (Body& body : bodies)

@@ -120,8 +120,9 @@
 // wrong drawn-cut: (across) < real(1e-4) ==> (across) <= real(1e-4) * length(sliding) ||
 //         length(across) < real(1e-4)
 // expects: speed along n over sliding
-// wrong drawn-threshold: vec3 across = sliding - dot(n, sliding) * n ==> const vec3 up = n.y >
-//         real(0.9999) ? vec3(0, 1, 0) : n; vec3 across = sliding - dot(up, sliding) * up
+// wrong "cases drawn with seed 1 are wrong": vec3 across = sliding - dot(n, sliding) * n ==>
+//         const vec3 up = n.y > real(0.9999) ? vec3(0, 1, 0) : n; vec3 across = sliding -
+//         dot(up, sliding) * up
 // expects: angle between n and y
 // wrong one-stand-in: std::abs(n.x) < real(0.6) ==> n.x == 0
 // expects: n hardly off

@@ -46,6 +46,7 @@ def write_build(lender, build, root, makes):
 
 class Door:
     """The copy; it is gone when the `with` ends."""
+    limit = "1"  # processor time of an exercise's tests [s]: an endless loop is soon found
 
     def __init__(self, root, build):
         self.source, self.source_build = root, build
@@ -77,7 +78,7 @@ class Door:
         result = subprocess.run([*command, *words.split()], cwd=self.root, capture_output=True,
                                 text=True, errors="replace", stdin=subprocess.DEVNULL,
                                 env=dict(os.environ, WORKBOOK_PYTHON=sys.executable,
-                                         WORKBOOK_LIMIT="1"), timeout=1200)
+                                         WORKBOOK_LIMIT=self.limit), timeout=1200)
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         used = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
         return result.returncode, result.stdout, result.stderr, used

@@ -17,6 +17,7 @@ from proofs import exercises, house, main
 from classroom import grading, results
 
 FILE = "distance.cpp"
+LIMIT = "5"  # processor time of an exercise [s]: numbers through a pipe take about a second
 IDS = [f"1.{n}" for n in range(1, 7)]
 STATES = {"D": "done", "-": "not written yet", "W": "wrong", "B": "broken", "N": "not handed in",
           "b": "waits for 1.1, 1.5", **{n: f"waits for 1.{n}" for n in "1235"}}
@@ -36,6 +37,7 @@ class Class:
 
     def __init__(self, door):
         self.door, self.solution = door, door.solution
+        door.limit = LIMIT
         self.folder = door.root.parent / "class"
         self.folder.mkdir()
 
@@ -173,11 +175,11 @@ def answers(c):
         "own_code": (c.answer("1.2", OTHER_K), "DDDDDD", ""),
         "renamed_code": (c.answer("1.2", RENAMED), "DDDDDD", ""),
         "endless_rope": (c.answer("1.5", "for (volatile bool on = true; on;) {}\n  return 0;"),
-                         "DDDDWD", "did not end within 1 seconds"),
+                         "DDDDWD", f"did not end within {LIMIT} seconds"),
         "crash_rope": (c.answer("1.5", "*(volatile int*)nullptr = 0;\n  return 0;"), "DDDDWD",
                        "memory that is not its own"),
         "endless": (c.answer("1.2", "for (volatile bool on = true; on;) {}\n  return 0;"),
-                    "DWD2DD", "did not end within 1 seconds"),
+                    "DWD2DD", f"did not end within {LIMIT} seconds"),
         "crash": (c.answer("1.6", "*(volatile int*)nullptr = 0;\n  return {};"), "DDDDDW",
                   "memory that is not its own"),
         "stack": (c.answer("1.6", "return (&body1 != &body2 ? jacobian(body1, body2) : Row{});"),

@@ -29,9 +29,10 @@ struct Wheels {
   }
   /// The gap that the wheel bridges from cube to cube [m].
   static double chord() { return 2 * corner_radius() * std::sin(half_gap()); }
-  /// Rolling radius: the distance of a wheel per radian of rotation [m].
+  /// Rolling radius: the distance of a wheel per radian of rotation [m]. A revolution moves it by
+  /// its perimeter, six faces and six gaps.
   static double rolling_radius() {
-    return (6 * double(edge) + 6 * chord()) / (2 * std::numbers::pi);  // Eq. 8-12
+    return (6 * double(edge) + 6 * chord()) / (2 * std::numbers::pi);
   }
   /// Least torque of a motor [N m]: a wheel that stands over a gap must tip over the corner in
   /// front of it, which is chord / 2 ahead of the hub: weight * chord / 2, 9.7 kN m. The 30 N m of

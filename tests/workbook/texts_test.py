@@ -114,6 +114,9 @@ def thesis_is_listed(root, build):
     said = {(section, heading.partition(":")[0])
             for heading, body in sections(read(root / "docs/errata.md"), "###")
             for section in re.search(r"^\*\*(T .*?)\.\*\*", body.strip())[1].split(", ")}
+    said |= {(section, number) for number, where in re.findall(
+        r"^\| (E\d+) \| (T [^|]*) \|", read(root / "docs/errata.md"), re.M)
+             for section in where.split(", ")}
     for section, number in sorted(listed ^ said):
         page = "thesis" if (section, number) in listed else "errata"
         yield f"docs/{page}.md alone has {number} at {section}"

@@ -25,8 +25,11 @@ class Targets:
     def __init__(self, texts, tags):
         self.equations = {number: f"{page}#eq-{number}" for page, text in texts.items()
                           for number in re.findall(r'id="eq-(\d+-\d+)"', text)}
-        self.errata = {f"E{number}": f"{ERRATA}#{place}" for place, number in
-                       re.findall(r'id="(docs_errata-e(\d+)-[^"]*)"', texts[ERRATA])}
+        notes = re.search(r'id="(docs_errata-notes[^"]*)"', texts[ERRATA])  # a table of them
+        self.errata = {f"E{number}": f"{ERRATA}#{notes[1]}" for number in
+                       re.findall(r"<td[^>]*>E(\d+)\s*<", texts[ERRATA]) if notes} | {
+            f"E{number}": f"{ERRATA}#{place}" for place, number in
+            re.findall(r'id="(docs_errata-e(\d+)-[^"]*)"', texts[ERRATA])}
         self.names, self.files = {}, {}
         self.read_tags(xml.fromstring(tags))
         for path in [*ROOT.glob("engine/*.h"), *ROOT.glob("checker/*.h"),

@@ -31,7 +31,7 @@ struct Line {
 
 /// Keeps the orientation of body 2 relative to body 1. Removes three degrees of freedom.
 ///
-/// q_e = q2 start^-1 q1^-1 = (s, v), negated if s < 0; C = 2 v [1], close to the vector of the
+/// q_e = q2 start^-1 q1^-1 = (s, e), negated if s < 0; C = 2 e [1], close to the vector of the
 /// excess rotation [rad, world]; J = (0, -E, 0, E), which is exact where C = 0 and conserves
 /// angular momentum everywhere; K = I1^-1 + I2^-1 [1/(kg m^2)]. At half a turn |C| is largest and
 /// both directions back are equally long; the part takes one of the two.

@@ -233,6 +233,8 @@ int main(int argc, char** argv) {
                             "textbook_iterations," + measure_columns + ",held,of,status");
     if (!options.text("methods").empty())
       for (Entry& entry : list) entry.methods = options.text("methods");
+    else
+      for (Entry& entry : list) entry.methods += tree_methods(entry.makes.front());
     const double unit = textbook_iteration();
     for (const Entry& entry : list) measure(file, entry, options.count("repetitions", 1), unit);
     std::fclose(file);

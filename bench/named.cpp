@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <sstream>
+#include <stdexcept>
 
 namespace joints::bench {
 
@@ -41,21 +42,37 @@ Setting setting_named(const std::string& method) {
                {"placed", placed},
                {"inertia", inertia},
                {"rk4", {.loop = Loop::runge_kutta, .beta = 1}},
+               {"tree", {.loop = Loop::tree}},
+               {"tree-rk4", {.loop = Loop::tree_runge_kutta}},
                {"xpbd", {.loop = Loop::xpbd, .beta = 1, .substeps = 20}, 20},
                {"nncg", {.loop = Loop::nonsmooth, .beta = 1}},
                {"cg", {.loop = Loop::gradients, .beta = 1}},
                {"cg-exact", {.loop = Loop::gradients, .beta = 1, .tolerance = real(1e-9)}, 100000}};
-  const std::size_t slash = method.find('/');
+  const std::size_t slash = method.find_first_of("/:");
   for (auto one : known) {
     if (one.word != method.substr(0, slash)) continue;
     if (slash != std::string::npos) {
-      one.way.substeps = std::atoi(method.c_str() + slash + 1);
-      if (one.way.substeps < 1) refuse("method " + method + ": how many substeps?");
-      one.iterations *= one.way.substeps;
+      const int count = std::atoi(method.c_str() + slash + 1);
+      if (count < 1) refuse("method " + method + ": how many?");
+      if (method[slash] == '/') one.way.substeps = count;
+      one.iterations = method[slash] == '/' ? one.iterations * count : count;
     }
     return one.way.setting(one.iterations);
   }
   refuse("method " + method + ": there is none of this name");
+}
+
+std::string tree_methods(const MakeScene& make_scene) {
+  std::string accepted;
+  for (const std::string method : {"tree", "tree-rk4"}) {
+    BenchScene scene = make_scene();
+    try {
+      setting_named(method).make()(scene.world, real(1) / 60);
+      accepted += " " + method;
+    } catch (const std::invalid_argument&) {  // a loop, a contact, a soft joint; or a drive
+    }
+  }
+  return accepted;
 }
 
 std::vector<std::string> words(const std::string& text) {

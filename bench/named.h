@@ -10,9 +10,13 @@
 namespace joints::bench {
 
 /// A method by its name in the tables. Iterative methods have 30 iterations, or 32 that are divided
-/// among the substeps; `shake/8` is `shake` in 8 substeps, each with all of its iterations.
+/// among the substeps; `shake/8` is `shake` in 8 substeps, each with all of its iterations, and
+/// `beta1:10` is `beta1` with 10 iterations.
 /// \throws std::invalid_argument for an unknown name
 Setting setting_named(const std::string& method);
+
+/// The methods in reduced coordinates that accept a scene, each after a blank.
+std::string tree_methods(const MakeScene& make_scene);
 
 /// The words of a text, separated by blanks.
 std::vector<std::string> words(const std::string& text);

@@ -95,7 +95,7 @@ Result measured(const MakeScene& make_scene, const Setting& setting, const Span&
   double tip_error = 0, sideways = 0;
   const Measures measures = joints::run(experiment, [&](int n) {
     const std::span<const Body> now = all_of(scene.world.bodies);
-    if (n == int(std::lround(1 / double(span.h))))
+    if (n == int(std::lround(scene.tip_time / double(span.h))))
       tip_error =
           length((glm::dvec3(now[scene.tip].x) - scene.tip_reference) * scene.tip_mask);
     if (scene.forbidden == glm::dvec3(0)) return;
@@ -130,6 +130,17 @@ double time_of_step(const MakeScene& make_scene, const Setting& setting, const S
   StepClock clock(StepClock::Time::thread);
   time_steps(clock, make_scene, setting, span);
   return clock.median_us();
+}
+
+double time_of_run(const MakeScene& make_scene, const Setting& setting, real h, int untimed,
+                   int timed) {
+  Ready ready(make_scene, setting);
+  for (int n = 0; n < untimed; ++n) ready.step(ready.scene.world, h);
+  StepClock clock(StepClock::Time::thread);
+  clock.time([&] {
+    for (int n = 0; n < timed; ++n) ready.step(ready.scene.world, h);
+  });
+  return clock.median_us() / timed;
 }
 
 double bytes_in_use() {

@@ -26,6 +26,10 @@ struct Setting {
   /// The energy is that of the previous step, with velocities by central differences of the poses:
   /// the same measure for all loops, whatever the time of their velocities. It smears impacts.
   bool differences = false;
+  /// What part of a step its velocities are ahead where it begins with those of the start: half a
+  /// substep; 0 for a method that is of second order by itself (start.h).
+  double lag = 0;
+  bool satisfy = false;  ///< it needs velocities at the start that its joints permit
 };
 
 /// The duration of a run.
@@ -37,7 +41,7 @@ struct Span {
 
 /// The results of one run; the median is over the timed steps from the 21st on.
 struct Result : Measures {
-  double tip_error = 0;  ///< after 1 s [m]; 0 if the scene has no reference
+  double tip_error = 0;  ///< at BenchScene::tip_time [m]; 0 if the scene has no reference
   double sideways = 0;   ///< largest displacement in the forbidden direction [m]
   double found = std::numeric_limits<double>::quiet_NaN();  ///< the scene's finding, if it has one
   std::string status{};  ///< ok, soft, torn, energy+, exploded or nan
@@ -53,6 +57,11 @@ void time_steps(StepClock& clock, const MakeScene& make_scene, const Setting& se
                 const Span& span);
 /// The median time of such a step [us]. It is processor time: other programs affect it little.
 double time_of_step(const MakeScene& make_scene, const Setting& setting, const Span& span);
+
+/// The mean time of this many steps after others that do not count [us], in processor time, from
+/// two readings of the clock: a reading takes as long as a short step.
+double time_of_run(const MakeScene& make_scene, const Setting& setting, real h, int untimed,
+                   int timed);
 
 /// Bytes of the heap in use by the program, including the heap's own overhead; 0 if the system does
 /// not report it.

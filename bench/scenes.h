@@ -21,7 +21,8 @@ struct Finding {
 struct BenchScene : Scene {
   int chains = 1;                    ///< number of equal chains side by side
   int tip = 0;                       ///< slot of the body whose position is compared
-  glm::dvec3 tip_reference{0};       ///< its position after 1 s, from a far finer computation [m]
+  double tip_time = 1;               ///< when it is compared [s]
+  glm::dvec3 tip_reference{0};       ///< its position then, from a far finer computation [m]
   glm::dvec3 tip_mask{1};            ///< 1 for the coordinates that are compared
   glm::dvec3 forbidden{0};           ///< unit direction in which no body can move; 0: none
   Finding finding{};

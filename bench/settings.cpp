@@ -9,6 +9,7 @@
 #include "bench/next_door/nonsmooth.h"
 #include "bench/next_door/xpbd.h"
 #include "bench/textbook.h"
+#include "reduced/reduced.h"
 
 namespace joints::bench {
 
@@ -110,6 +111,8 @@ std::string Way::solver() const {
     case Loop::hinges: return "chapter 7";
     case Loop::direct:
     case Loop::runge_kutta: return "direct";
+    case Loop::tree:
+    case Loop::tree_runge_kutta: return "reduced coordinates";
     case Loop::xpbd: return "XPBD";
     case Loop::gradients: return "conjugate gradients";
     case Loop::nonsmooth: return "NNCG";
@@ -117,8 +120,12 @@ std::string Way::solver() const {
   }
 }
 
+bool Way::of_second_order() const {
+  return loop == Loop::runge_kutta || loop == Loop::tree || loop == Loop::tree_runge_kutta;
+}
+
 int Way::iterations_of(int a_step) const {
-  if (loop == Loop::direct || loop == Loop::runge_kutta) return 1;
+  if (loop == Loop::direct || of_second_order()) return 1;
   return std::max(1, (a_step + substeps / 2) / substeps);
 }
 
@@ -205,8 +212,20 @@ Step of_the_direct_solver(const Way& way) {
   };
 }
 
+Step of_the_tree(const Way& way) {
+  return [way, tree = std::shared_ptr<Reduced>()](World& world, real h) mutable {
+    if (!tree) {
+      tree = std::make_shared<Reduced>(world);
+      if (way.loop == Loop::tree_runge_kutta) tree->method = Reduced::Method::runge_kutta;
+    }
+    for (int n = 0; n < way.substeps; ++n) tree->step(world, h / real(way.substeps));
+  };
+}
+
 Step step_of(const Way& way, int iterations) {
   switch (way.loop) {
+    case Loop::tree:
+    case Loop::tree_runge_kutta: return of_the_tree(way);
     case Loop::direct: return of_the_direct_solver(way);
     case Loop::runge_kutta:
       return [method = RungeKutta()](World& world, real h) mutable { method.step(world, h); };
@@ -229,6 +248,7 @@ Step step_of(const Way& way, int iterations) {
 Setting Way::setting(int iterations_a_step) const {
   Setting setting{solver(), name, iterations_of(iterations_a_step), warm, {}, {}, {},
                   leapfrog && substeps == 1, leapfrog && substeps > 1};
+  if (!leapfrog && !of_second_order()) setting.lag = 0.5 / substeps;
   const auto loop = std::make_shared<std::unique_ptr<OwnLoop>>();
   setting.make = [way = *this, iterations = setting.iterations, loop] {
     return way.loop == Loop::hinges ? of_chapter_7(way, iterations, loop)

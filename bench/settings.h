@@ -27,6 +27,8 @@ enum class Loop {
   flat,       ///< the textbook's hinges in one array, without the virtual call
   direct,     ///< all joints at once, chapter 9
   runge_kutta,  ///< of order 4, on the factor of chapter 9
+  tree,         ///< reduced coordinates, leapfrog
+  tree_runge_kutta,  ///< the same, of order 4
   xpbd,       ///< rows solved on positions, see bench/next_door
   gradients,  ///< conjugate gradients, equality rows only
   nonsmooth   ///< nonsmooth nonlinear conjugate gradients, any row
@@ -60,6 +62,7 @@ struct Way {
   /// \param scene a key
   bool means_something_on(const std::string& scene) const;
   std::string solver() const;  ///< the name of its loop
+  bool of_second_order() const;  ///< of order 2 or more whatever velocities it begins with
   /// Iterations per substep for this number per step.
   int iterations_of(int a_step) const;
   /// As a setting of the runner.

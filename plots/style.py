@@ -261,7 +261,7 @@ def label_ends(ax, lines=None, size=8.5):
     """Writes every line's label at its right end, clear of each other, outside the axes."""
     lines = [line for line in (ax.lines if lines is None else lines)
              if not line.get_label().startswith("_") and np.isfinite(line.get_ydata()).any()]
-    arrange(ax.figure)
+    arrange(ax.figure.figure)  # of a part of a figure the whole
     ends = []
     for line in lines:
         points = ax.transAxes.inverted().transform(ax.transData.transform(line.get_xydata()))

@@ -10,6 +10,7 @@ else()
 endif()
 # In double alone, and why float would prove nothing more:
 set(double_only
+  bench/accuracy_test.cpp  # references to 1e-9 m
   bench/next_door_test.cpp  # where convergence ends, which rounding decides in float
   direct/order_test.cpp  # orders of convergence: rounding hides them in float
   engine/projected_energy_test.cpp  # linkages that gain energy, which rounding chooses

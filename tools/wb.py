@@ -30,6 +30,7 @@ NEED_SOLUTIONS = {"tour": "./wb run 1, ./wb plot 1 and ./wb see 1 show a finishe
                   "hand-out": "copy this folder: it is an edition without solutions"}
 TABLES = {"stability": "stiff, extreme and redundant scenes: which setting holds them",
           "methods": "every method on every kind of scene",
+          "sweeps": "error against run time over the length of the step",
           "families": "scenes drawn by seeds: how many each setting holds",
           "stacks": "boxes on each other: which of them stand for a minute",
           "peers": "ours beside Bullet, ODE and MuJoCo of Debian",

@@ -34,7 +34,10 @@ class BulletWorld : public Peer {
     const auto part = btScalar(h / choice_.substeps);
     for (const auto& [hinge, motor] : motors_)  // its bound is an impulse, and its sign the other
       hinge->enableAngularMotor(true, -btScalar(motor.speed), btScalar(motor.strength) * part);
-    for (int n = 0; n < choice_.substeps; ++n) world_->stepSimulation(part, 0);
+    for (int n = 0; n < choice_.substeps; ++n) {
+      for (const auto& [body, torque] : torques_) body->applyTorque(torque);
+      world_->stepSimulation(part, 0);
+    }
   }
   void show(Bodies& bodies) override {
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
@@ -68,6 +71,8 @@ class BulletWorld : public Peer {
     if (!body.is_static()) {
       bodies_.back()->setLinearVelocity(to_bullet(glm::dvec3(body.v)));
       bodies_.back()->setAngularVelocity(to_bullet(glm::dvec3(body.w)));
+      if (body.torque != vec3(0))
+        torques_.emplace_back(bodies_.back().get(), to_bullet(glm::dvec3(body.torque)));
     }
     world_->addRigidBody(bodies_.back().get(), BulletParts::group(shape),
                          BulletParts::mask(shape, heap));
@@ -129,6 +134,7 @@ class BulletWorld : public Peer {
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
   std::vector<std::unique_ptr<btTypedConstraint>> joints_;
   std::vector<std::pair<btHingeConstraint*, Motor>> motors_;
+  std::vector<std::pair<btRigidBody*, btVector3>> torques_;  // from outside
 };
 
 std::string version() {
@@ -138,7 +144,7 @@ std::string version() {
 PeerSetting bullet_setting(const std::string& name, const BulletChoice& choice) {
   return {.engine = "Bullet", .version = version(),
           .number = sizeof(btScalar) == 8 ? "double" : "float", .name = name,
-          .exact = choice.solver >= BulletChoice::Solver::dantzig,
+          .exact = choice.solver >= BulletChoice::Solver::dantzig, .substeps = choice.substeps,
           .make = [choice](const PeerScene& scene) {
             return std::make_unique<BulletWorld>(scene, choice);
           }};
@@ -166,7 +172,8 @@ std::vector<PeerSetting> bullet_settings(bool search) {
   const auto add_trees = [&](const std::string& name, const BulletChoice& choice, bool quick,
                              int most_joints = 5000) {
     add("multibody" + name, choice, quick, most_joints);
-    out.back().exact = true;
+    out.back().exact = out.back().reduced = true;
+    if (choice.runge_kutta) out.back().substeps = 0;
     out.back().make = [choice](const PeerScene& scene) { return bullet_trees(scene, choice); };
   };
   if (search) {

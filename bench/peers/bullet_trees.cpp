@@ -45,7 +45,12 @@ class BulletTrees : public Peer {
     const auto part = btScalar(h / choice_.substeps);
     for (const auto& [motor, strength] : motors_)
       motor->setMaxAppliedImpulse(btScalar(strength) * part);
-    for (int n = 0; n < choice_.substeps; ++n) world_->stepSimulation(part, 0);
+    for (int n = 0; n < choice_.substeps; ++n) {
+      for (const auto& [link, torque] : torques_)
+        if (link.number < 0) link.multibody->addBaseTorque(torque);
+        else link.multibody->addLinkTorque(link.number, torque);
+      world_->stepSimulation(part, 0);
+    }
   }
   void show(Bodies& bodies) override {
     btAlignedObjectArray<btQuaternion> to_local;
@@ -91,6 +96,17 @@ class BulletTrees : public Peer {
     links_[at(root)] = {&tree, -1};
     for (std::size_t n = k + 1; n < end; ++n) add_link(tree, int(n - k) - 1, trees_.order[n]);
     tree.finalizeMultiDof();
+    if (!base.is_static()) {
+      tree.setBaseVel(to_bullet(glm::dvec3(base.v)));
+      tree.setBaseOmega(to_bullet(glm::dvec3(base.w)));
+    }
+    for (std::size_t n = k + 1; n < end; ++n) {
+      const btVector3 rate = to_bullet(start_rate(scene_, trees_, trees_.order[n]));
+      tree.setJointVelMultiDof(int(n - k) - 1, static_cast<const btScalar*>(rate));
+    }
+    for (std::size_t n = k; n < end; ++n)
+      if (const vec3& torque = scene_.bodies[at(trees_.order[n])].torque; torque != vec3(0))
+        torques_.emplace_back(links_[at(trees_.order[n])], to_bullet(glm::dvec3(torque)));
     tree.setHasSelfCollision(false);
     tree.setLinearDamping(0);
     tree.setAngularDamping(0);
@@ -205,6 +221,7 @@ class BulletTrees : public Peer {
   std::vector<std::unique_ptr<btMultiBodyConstraint>> constraints_;
   std::vector<std::pair<btMultiBodyJointMotor*, double>> motors_;  // with their strength
   std::vector<std::unique_ptr<btRigidBody>> statics_;
+  std::vector<std::pair<Link, btVector3>> torques_;  // from outside
 };
 
 }  // namespace

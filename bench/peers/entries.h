@@ -12,7 +12,7 @@ struct PeerEntry {
   std::string name{};   ///< in the table
   MakeScene make{};
   Span span{.steps = 300, .timed = 80};
-  std::string ours{};   ///< words of setting_named(), with blanks between
+  std::string ours{};   ///< words of setting_named(), but for tree_methods()
   bool quick = true;    ///< also in the short form
   bool basic = false;   ///< only the basic settings of the engines
   bool falls = false;   ///< its steps are not alike: all are timed, in one round

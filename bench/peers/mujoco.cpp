@@ -217,6 +217,7 @@ class MujocoWorld : public Peer {
     set_time(model_->jnt_solref, model_->njnt);    // limits
     set_time(model_->geom_solref, model_->ngeom);  // contacts
     data_ = mj_makeData(model_);
+    set_rates(scene);
     for (std::size_t k = 0; k < model.driven.size(); ++k)
       data_->ctrl[k] = double(scene.joints[at(model.driven[k])].motor.speed);
   }
@@ -261,6 +262,27 @@ class MujocoWorld : public Peer {
   }
 
  private:
+  // The velocities of the start and the torques from outside, of its bodies in their order. A free
+  // body's angular velocity is in its own axes.
+  void set_rates(const PeerScene& scene) {
+    const Trees trees = trees_of(scene);
+    const auto set = [](mjtNum* to, const glm::dvec3& a, int count) {
+      for (int i = 0; i < count; ++i) to[i] = a[i];
+    };
+    for (int k = 1; k < model_->nbody; ++k) {
+      const int slot = slots_[at(k - 1)];
+      set(data_->xfrc_applied + 6 * k + 3, glm::dvec3(scene.bodies[at(slot)].torque), 3);
+      if (model_->body_dofnum[k] == 0) continue;
+      mjtNum* const rate = data_->qvel + model_->body_dofadr[k];
+      if (trees.parent[at(slot)] >= 0) {
+        set(rate, start_rate(scene, trees, slot), model_->body_dofnum[k]);
+        continue;
+      }
+      const Body& body = scene.bodies[at(slot)];
+      set(rate, glm::dvec3(body.v), 3);
+      set(rate + 3, glm::dvec3(to_local(body, body.w)), 3);
+    }
+  }
   static vec3 vector(const mjtNum* a) { return vec3(real(a[0]), real(a[1]), real(a[2])); }
   // Its own guess is a hundred contacts in all, and it drops what is more. A box has up to four on
   // a plane, a contact four rows.
@@ -307,6 +329,8 @@ std::vector<PeerSetting> mujoco_settings(bool search) {
     out.push_back({.engine = "MuJoCo", .version = version(),
                    .number = sizeof(mjtNum) == 8 ? "double" : "float", .name = name,
                    .quick = quick, .most_joints = is_implicit ? 300 : 2000, .exact = true,
+                   .substeps = choice.integrator == mjINT_RK4 ? 0 : choice.substeps,
+                   .reduced = true,
                    .make = [choice](const PeerScene& scene) {
                      return std::make_unique<MujocoWorld>(scene, choice);
                    }});

@@ -51,6 +51,7 @@ class OdeWorld : public Peer {
     for (int n = 0; n < choice_.substeps; ++n) {
       if (dSpaceGetNumGeoms(space_) > 0) dSpaceCollide(space_, this, touch);
       const double part = h / choice_.substeps;
+      for (const auto& [body, w] : torques_) dBodyAddTorque(body, w.x, w.y, w.z);
       choice_.iterations > 0 ? dWorldQuickStep(world_, part) : dWorldStep(world_, part);
       dJointGroupEmpty(contacts_);
     }
@@ -84,6 +85,7 @@ class OdeWorld : public Peer {
     dBodySetLinearVel(id, double(body.v.x), double(body.v.y), double(body.v.z));
     dBodySetAngularVel(id, double(body.w.x), double(body.w.y), double(body.w.z));
     dBodySetAutoDisableFlag(id, 0);
+    if (body.torque != vec3(0)) torques_.emplace_back(id, glm::dvec3(body.torque));
     return id;
   }
   void add(const PeerShape& shape, dBodyID id, const Body& body, bool heap) {
@@ -181,6 +183,7 @@ class OdeWorld : public Peer {
   dSpaceID space_ = nullptr;
   dJointGroupID contacts_ = nullptr;
   std::vector<dBodyID> bodies_;
+  std::vector<std::pair<dBodyID, glm::dvec3>> torques_;  // from outside
   std::vector<double> frictions_;  // of the geometries
 };
 
@@ -189,7 +192,8 @@ PeerSetting ode_setting(const std::string& name, const Choice& choice) {
   if (!started) refuse("ODE: does not start");
   return {.engine = "ODE", .version = dODE_VERSION,
           .number = sizeof(dReal) == 8 ? "double" : "float", .name = name,
-          .exact = choice.iterations == 0, .make = [choice](const PeerScene& scene) {
+          .exact = choice.iterations == 0, .substeps = choice.substeps,
+          .make = [choice](const PeerScene& scene) {
             return std::make_unique<OdeWorld>(scene, choice);
           }};
 }

@@ -121,10 +121,24 @@ Trees trees_of(const PeerScene& scene) {
   return trees;
 }
 
+glm::dvec3 start_rate(const PeerScene& scene, const Trees& trees, int slot) {
+  const auto of = [](int k) { return std::size_t(k); };
+  const PeerJoint& joint = scene.joints[of(trees.joint[of(slot)])];
+  const Body &body = scene.bodies[of(slot)], &parent = scene.bodies[of(trees.parent[of(slot)])];
+  const glm::dvec3 w(body.w - parent.w);
+  const glm::dvec3 v(body.v - parent.v - cross(parent.w, body.x - parent.x));
+  const glm::dvec3 axis = joint.body2 == slot ? joint.axis : -joint.axis;
+  if (joint.kind == PeerJoint::Kind::ball) return conjugate(glm::dquat(body.q)) * w;
+  if (joint.kind == PeerJoint::Kind::fixed) return glm::dvec3(0);
+  return {dot(axis, joint.kind == PeerJoint::Kind::hinge ? w : v), 0, 0};
+}
+
 Setting PeerSetting::setting() const {
   Setting out;
   out.solver = engine;
   out.name = name;
+  out.lag = substeps > 0 ? 0.5 / substeps : 0;
+  out.satisfy = reduced;
   const auto peer = std::make_shared<std::unique_ptr<Peer>>();
   out.make = [peer, make_peer = make] {
     peer->reset();

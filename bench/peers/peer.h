@@ -61,6 +61,10 @@ struct Trees {
 /// Static bodies are roots and nothing else.
 Trees trees_of(const PeerScene& scene);
 
+/// The rate of a body's joint in its tree at the start: of a hinge or a slider in x, of a ball in
+/// the body's axes [rad/s or m/s].
+glm::dvec3 start_rate(const PeerScene& scene, const Trees& trees, int slot);
+
 /// A world of another engine.
 class Peer {
  public:
@@ -80,6 +84,8 @@ struct PeerSetting {
   bool contacts = true;         ///< measured where bodies can touch, too
   bool slow = false;            ///< a step takes a tenth of a second on S1
   bool exact = false;           ///< it does not iterate: its first step has the true acceleration
+  int substeps = 1;             ///< each begins with its forces; 0: of order 4 by itself
+  bool reduced = false;         ///< reduced coordinates: it starts with rates of its joints
   std::function<std::unique_ptr<Peer>(const PeerScene&)> make{};
 
   bool takes(const PeerScene& scene) const {

@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "bench/named.h"
 #include "bench/peers/entries.h"
 #include "bench/peers/peer.h"
+#include "bench/start.h"
 #include "engine/instruments/options.h"
 
 using namespace joints;
@@ -21,6 +23,7 @@ struct Contender {
   Setting setting;
   bool ours = false;
   Result result{};
+  double own_start = std::numeric_limits<double>::quiet_NaN();  // error of the tip [m]
   StepClock clock{StepClock::Time::thread};
   double bytes = 0;
 };
@@ -28,7 +31,7 @@ struct Contender {
 std::vector<Contender> contenders(const PeerEntry& entry, bool quick, bool search) {
   std::vector<Contender> out;
   const PeerScene scene = peer_scene(entry.make().world);
-  for (const std::string& word : words(entry.ours))
+  for (const std::string& word : words(entry.ours + tree_methods(entry.make)))
     out.push_back({{.engine = "ours", .version = "",
                     .number = sizeof(real) == 8 ? "double" : "float", .name = word},
                    setting_named(word), true});
@@ -78,8 +81,9 @@ void write(FILE* file, const PeerEntry& entry, const Contender& one, const std::
   const double spread = (one.clock.quantile_us(0.75) - one.clock.quantile_us(0.25)) / us;
   std::fprintf(file, "%s,%s,%s,%s,%s,%.4g,%.3f", one.who.engine.c_str(), one.who.version.c_str(),
                one.who.number.c_str(), entry.name.c_str(), one.who.name.c_str(), us, spread);
-  std::fprintf(file, "%s%s,%s,%s,%zu\n", measure_cells(scene, is).c_str(), cell(one.bytes).c_str(),
-               is.status.c_str(), machine.c_str(), scene.marks.size());
+  std::fprintf(file, "%s%s,%s,%s,%zu%s\n", measure_cells(scene, is).c_str(),
+               cell(one.bytes).c_str(), is.status.c_str(), machine.c_str(), scene.marks.size(),
+               cell(one.own_start, is.status != "nan").c_str());
 }
 
 void measure(FILE* file, const PeerEntry& entry, const Options& options) {
@@ -90,6 +94,9 @@ void measure(FILE* file, const PeerEntry& entry, const Options& options) {
   for (Contender& one : all) {
     std::fprintf(stderr, "%s, %s, %s\n", entry.name.c_str(), one.who.engine.c_str(),
                  one.who.name.c_str());
+    if (entry.make().tip_mask != glm::dvec3(0))
+      one.own_start = run(entry.make, one.setting, 1, entry.span).tip_error;
+    one.setting = with_same_start(one.setting);
     one.result = run(entry.make, one.setting, 1, entry.span);
     one.bytes = bytes_of(entry, one);
   }
@@ -121,7 +128,7 @@ int main(int argc, char** argv) {
     keep_named(list, options.text("scene"), &PeerEntry::name);
     FILE* file = open_table(options.text("csv"), options.flag("append"),
                             "engine,version,real,scene,setting,us_per_step,spread," +
-                                measure_columns + ",bytes,status,machine,joints");
+                                measure_columns + ",bytes,status,machine,joints,tip_own_start_m");
     for (const PeerEntry& entry : list) measure(file, entry, options);
     std::fclose(file);
   });

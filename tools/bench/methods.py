@@ -22,6 +22,7 @@ WORDS = {
     "inertia/8": "inertia in 8 substeps", "plain": "velocity without leapfrog",
     "placed": "shake without leapfrog",
     "inertia": "direct, positions, more inertia (kappa 8)", "rk4": "direct, Runge-Kutta",
+    "tree": "reduced coordinates, leapfrog", "tree-rk4": "reduced coordinates, Runge-Kutta",
     "xpbd": "XPBD, 20 substeps of 1 iteration",
     "nncg": "nonsmooth conjugate gradients, 30 iterations, beta 1",
     "cg": "conjugate gradients, 30 iterations, beta 1",

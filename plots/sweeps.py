@@ -1,0 +1,186 @@
+#!/usr/bin/env python3
+"""Draws the error of a tip against processor time, for steps from 1/30 to 1/1920 s.
+
+sweeps.py --csv bench/measured/sweeps.csv --out docs/beside.svg
+"""
+import textwrap
+
+import numpy as np
+
+import style
+from style import COLOURS, INK, PALE
+
+NUMBERS = ["steps_per_s", "us_per_step", "spread", "tip_error_m"]
+WORDS = ["real", "scene", "engine", "version", "setting", "status", "machine"]
+LARGE = "triple pendulum"
+REFERENCE = 1e-9  # [m]: the references agree to this, so smaller errors mean nothing
+LOST = ("nan", "refused")
+ENGINE = {"ours": COLOURS[0], "Bullet": COLOURS[1], "ODE": COLOURS[2], "MuJoCo": COLOURS[3],
+          "Simbody": COLOURS[5]}
+# A family of methods: its line and marker.
+KIND = {"iterations": (":", "o"), "one solve": ("-", "s"), "reduced": ("--", "^"),
+        "Runge-Kutta": ("-", "D")}
+# The curves: engine, setting, family, and words.
+CURVES = (
+    ("ours", "beta1:30", "iterations", "30 iterations"),
+    ("ours", "velocity", "one solve", "direct"),
+    ("ours", "shake", "one solve", "direct, positions"),
+    ("ours", "rk4", "Runge-Kutta", "rows, Runge-Kutta"),
+    ("ours", "tree", "reduced", "reduced"),
+    ("ours", "tree-rk4", "Runge-Kutta", "reduced, Runge-Kutta"),
+    ("Bullet", "60 iterations", "iterations", "60 iterations"),
+    ("Bullet", "multibody", "reduced", "multibody"),
+    ("Bullet", "multibody Runge-Kutta", "Runge-Kutta", "multibody, Runge-Kutta"),
+    ("ODE", "60 iterations", "iterations", "60 iterations"),
+    ("ODE", "dense erp 1", "one solve", "dense, erp 1"),
+    ("MuJoCo", "Euler (its default)", "reduced", "Euler"),
+    ("MuJoCo", "implicit", "reduced", "implicit"),
+    ("MuJoCo", "Runge-Kutta", "Runge-Kutta", "Runge-Kutta"))
+LEVELS = (1e-3, 1e-6)  # [m], of the title
+
+
+def points(table):
+    """(time [ms] per simulated second, error [m], whether it counts) of rows."""
+    x = 1e-3 * table["us_per_step"] * table["steps_per_s"]
+    y = table["tip_error_m"]
+    good = np.isfinite(x) & np.isfinite(y) & ~np.isin(table["status"], LOST)
+    return x, np.maximum(y, REFERENCE), good
+
+
+def front(x, y):
+    """The points to which no other is superior in both, fastest first."""
+    order, best, out = np.lexsort((y, x)), np.inf, []
+    for k in order:
+        if y[k] < 0.999 * best:
+            best = y[k]
+            out.append(k)
+    return out
+
+
+def fastest(table, level):
+    """The engine that reaches an error [m] first, if its time with the spread is below that of all
+    others; otherwise all engines that cannot be told apart from it."""
+    x, y, good = points(table)
+    low, high = (x * (1 + side * table["spread"] / 2) for side in (-1, 1))
+    reach = good & (y <= level)
+    if not reach.any():
+        return set()
+    first = np.argmin(np.where(reach, x, np.inf))
+    return {engine for engine, least in zip(table["engine"][reach], low[reach])
+            if least <= high[first]}
+
+
+def draw_scene(ax, table, large):
+    for engine, setting, kind, words in CURVES:
+        curve = style.rows(table, engine=engine, setting=setting)
+        x, y, good = points(curve)
+        exact = np.cumsum(y <= REFERENCE)  # one point at the floor shows that it is reached
+        good &= exact <= 1
+        if not good.any():
+            continue
+        line, marker = KIND[kind]
+        colour, bars = ENGINE[engine], curve["spread"][good] / 2 * x[good]
+        ax.errorbar(x[good], y[good], xerr=bars, color=colour, linestyle=line,
+                    marker=marker, markersize=4 if large else 2.4, linewidth=1.3 if large else 0.9,
+                    elinewidth=2.2, markerfacecolor=colour if engine == "ours" else "white",
+                    label="_bars", zorder=4 if engine == "ours" else 3)
+        ax.plot(x[good], y[good], color=colour, linewidth=0, zorder=1,
+                label=f"{'' if engine == 'ours' else engine + ', '}{words}")
+    x, y, good = points(table)
+    line = [k for k in front(np.where(good, x, np.inf), np.where(good, y, np.inf)) if good[k]]
+    ax.step(np.append(x[line], x[good].max()), np.append(y[line], y[line[-1]]), where="post",
+            color=PALE, linewidth=4 if large else 2.5, alpha=0.35, zorder=1, label="_front")
+    ax.axhline(REFERENCE, color=INK, linewidth=1, dashes=(2, 2), label="_floor")
+    ax.set(xscale="log", yscale="log", ylim=(REFERENCE / 3, 3))
+    ax.minorticks_off()
+    style.metres_log(ax.yaxis)
+    ax.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
+
+
+def draw_slopes(ax):
+    """Triangles: how fast an error falls where half the step takes twice the time."""
+    right = ax.get_xlim()[1]
+    for order, share in ((1, 0.02), (2, 0.1), (4, 0.5)):
+        x, high, wide = right * share, 1.0, 3.0
+        low = high / wide ** order
+        ax.fill([x, wide * x, x], [high, low, low], facecolor="none", edgecolor=INK, linewidth=0.8)
+        ax.annotate(f"order {order}", (x, low), xytext=(0, -3), va="top", fontsize=7.5,
+                    textcoords="offset points")
+
+
+def headline(table):
+    """At each level the number of scenes that ours reach first."""
+    scenes = list(dict.fromkeys(table["scene"]))
+    parts = []
+    for level in LEVELS:
+        found = [fastest(style.rows(table, scene=scene), level) for scene in scenes]
+        parts.append(f"{style.metres(level)} in {sum(one == {'ours'} for one in found)}")
+    return (f"Error of a tip against processor time: ours is the first to reach {parts[0]}, and "
+            f"{parts[1]} of {len(scenes)} scenes")
+
+
+def legend(ax):
+    """What lines and markers mean, in the place of a panel."""
+    ax.set_axis_off()
+    for k, (kind, (line, marker)) in enumerate(KIND.items()):
+        ax.plot([0, 0.26], [k, k], color=INK, linestyle=line, marker=marker, markersize=3.5,
+                markerfacecolor="white", linewidth=1)
+        ax.text(0.34, k, kind, va="center", fontsize=8)
+    for k, (engine, colour) in enumerate(list(ENGINE.items())[:4], start=len(KIND)):
+        ax.plot([0, 0.26], [k, k], color=colour, linewidth=2.5)
+        ax.text(0.34, k, engine, va="center", fontsize=8)
+    k = len(KIND) + 4
+    ax.plot([0, 0.26], [k, k], color=PALE, linewidth=4, alpha=0.35)
+    ax.text(0.34, k, "front of all methods", va="center", fontsize=8)
+    ax.plot([0, 0.26], [k + 1, k + 1], color=INK, linewidth=1, dashes=(2, 2))
+    ax.text(0.34, k + 1, "reference, 1 nm", va="center", fontsize=8)
+    ax.set(xlim=(-0.05, 1), ylim=(k + 1.7, -0.7))
+
+
+def draw(table, path):
+    scenes = [scene for scene in dict.fromkeys(table["scene"]) if scene != LARGE]
+    made = style.plt.figure(figsize=(style.WIDTH, 9.6), layout="constrained")
+    style.entitle(made, headline(table))
+    above, below, under = made.subfigures(3, 1, height_ratios=(2.7, 2.2, 0.25))
+    large = above.subplots()
+    panels = below.subplots(2, 4, sharex=True, sharey=True)
+    draw_scene(large, style.rows(table, scene=LARGE), True)
+    draw_slopes(large)
+    large.set(title=f"{LARGE}: steps of 1/30 to 1/1920 s along each curve",
+              ylabel="error of the tip", xlabel="processor time per simulated second  [ms]")
+    large.annotate("the references agree to 1 nm", (large.get_xlim()[0], REFERENCE), xytext=(3, 3),
+                   fontsize=8, textcoords="offset points")
+    for k, ax in enumerate(panels.flat[:len(scenes)]):
+        mine = style.rows(table, scene=scenes[k])
+        draw_scene(ax, mine, False)
+        ax.set_title("three hinges (S5)" if scenes[k] == "S5" else scenes[k], fontsize=8.5)
+        ax.tick_params(labelsize=7.5)
+        if k >= 3:
+            ax.set_xlabel("ms per second", fontsize=8)
+            ax.tick_params(labelbottom=True)
+    panels.flat[-1].remove()
+    legend(below.add_subplot(2, 4, 8))
+    under.text(0.02, 0.5, textwrap.fill(machine(table), 122), fontsize=7.5, va="center", color=INK)
+    style.label_ends(large, size=8)
+    style.save(made, path / "sweeps")
+
+
+def machine(table):
+    """The processor and what everything was compiled with."""
+    words = table["machine"][0].split("; ")
+    engines = ", ".join(dict.fromkeys(f"{engine} {version}" for engine, version in
+                                      zip(table["engine"], table["version"]) if version))
+    return (f"{words[0]}, one core, double. Ours: {words[-1]}. {engines}: Debian's packages, -O2, "
+            "any x86-64. Bars: from quartile to quartile of the times. All start with half a step "
+            "of the forces.")
+
+
+def main():
+    given = style.arguments("Draws error against processor time over the length of the step.",
+                            csv="the table that ./wb bench --sweeps writes",
+                            out="the drawing, an SVG, or its folder")
+    draw(style.rows(style.read_csv(given.csv, NUMBERS, WORDS, "./wb bench --sweeps")), given.out)
+
+
+if __name__ == "__main__":
+    style.run(main)

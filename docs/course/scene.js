@@ -30,6 +30,8 @@ export async function live_frame(chapter, text, exercise, ids, report) {
   const built = await engine.build_live(chapter, whole);
   if (!built.wasm) throw new Error(`The scene cannot be built:\n${built.printed}`);
   const page = await where.text("live.html");
+  const library = '<script src="three.min.js"></script>';  // a frame of its own has nothing beside
+  const three = page.includes(library) ? await where.text("three.min.js") : "";
   const slot = /(<script type="application\/json" id="data">)([^<]*)(<\/script>)/;
   const data = JSON.parse(slot.exec(page)[2]);
   data.modules.unshift({label: "yours", wasm: base64(built.wasm)});
@@ -37,7 +39,8 @@ export async function live_frame(chapter, text, exercise, ids, report) {
   Object.assign(data, {chapter: chapter.number, exercise, ...report, back: undefined, note: "your " +
     chapter.ids.filter(id => !rest.includes(id)).join(" ") + others});
   const words = JSON.stringify(data).replace(/</g, "\\u003c");
-  const made = page.replace(slot, (_, begin, __, end) => begin + words + end);
+  const made = page.replace(slot, (_, begin, __, end) => begin + words + end)
+    .replace(library, () => `<script>${three}</script>`);
   const dark = document.documentElement.classList.contains("dark-mode");
   const address = URL.createObjectURL(new Blob([made], {type: "text/html"}));
   return Object.assign(document.createElement("iframe"), {

@@ -42,6 +42,7 @@ function unfit(name, value) {
   if (!isFinite(value)) return "must be a number";
   if (name in MOST && !(Number.isInteger(value) && value <= MOST[name]))
     return `must be a whole number of at most ${MOST[name]}`;
+  if (name === "h" && !(value > 0)) return "must be more than 0 ms";
   return name === "h" && value > 1 ? "must be at most 1000 ms" : "";
 }
 
@@ -50,7 +51,7 @@ function read_address() {
   return new URLSearchParams([location.search.slice(1), location.hash.slice(1)]
     .filter(Boolean).join("&"));
 }
-const OTHER_NAMES = ["scene", "t", "iteration", "block", "view", "theme", "only"];
+const OTHER_NAMES = ["scene", "t", "iteration", "block", "view", "theme", "only", "lit"];
 const last_of = (address, name) => address.getAll(name).at(-1);
 
 // The settings that a scene begins with, and with what the address changes of them; told(words) is
@@ -136,6 +137,14 @@ function make_controls(form, changed) {
   form.onsubmit = e => e.preventDefault();
 }
 
+// Why a setting has no effect beside the others, by its name.
+function idle(name, {direct, own, frequency}) {
+  const of_loop = ["beta", "iterations", "h", "warm", "projections", "ratio",
+                   "relaxation", "tilt", "own"];
+  if (own && !of_loop.includes(name)) return "the chapter's own loop does not use it";
+  if (!direct && ["newton", "added_inertia"].includes(name)) return "for the direct solver alone";
+  return !frequency && name === "damping" ? "soft frequency is 0: hard" : "";
+}
 // Shows settings in the form. `wrong` is the name of what was refused, or "".
 function show_controls(settings, entry, about, wrong) {
   for (const control of controls) {
@@ -143,6 +152,8 @@ function show_controls(settings, entry, about, wrong) {
     label.classList.toggle("off", (control.motor && !entry.motor) ||
                                   (control === own_loop && !entry.own));
     label.classList.toggle("bad", wrong === name);
+    label.title = idle(name, settings);
+    for (const input of label.querySelectorAll("input")) input.disabled = label.title !== "";
     const value = settings[name] * (control.scale || 1);
     if (control.tick) {
       first.checked = value !== 0;

@@ -3,6 +3,8 @@
 #include <cstring>
 
 #include "docs/live/run.h"
+#include "joints/distance_joint.h"
+#include "joints/fixed_joint.h"
 #include "joints/hinge_joint.h"
 #include "joints/slider_joint.h"
 
@@ -20,7 +22,7 @@ PageSettings page_settings;
 
 // A list in JSON; `one` appends each element.
 template <class List, class One>
-std::string listed(const List& list, const One& one) {
+std::string listed(const List& list, One one) {
   std::string out = "[";
   for (const auto& item : list) out += (out.size() > 1 ? "," : "") + one(item);
   return out + "]";
@@ -35,9 +37,9 @@ std::string triple(const std::array<double, 3>& a) { return listed(a, decimal); 
 std::string place(const glm::dvec3& a) { return triple(std::array{a.x, a.y, a.z}); }
 
 std::string line(int body1, const std::array<double, 3>& anchor1, int body2,
-                 const std::array<double, 3>& anchor2) {
+                 const std::array<double, 3>& anchor2, const std::string& length = "") {
   return "[" + std::to_string(body1) + "," + triple(anchor1) + "," + std::to_string(body2) + "," +
-         triple(anchor2) + "]";
+         triple(anchor2) + length + "]";
 }
 
 // What is drawn of a driven joint: the axis of body 1 and, for a hinge, the direction in which the
@@ -106,13 +108,22 @@ EXPORT(wb_make)(int scene) -> void {
     lines.push_back(line(mark.body1, {0, 0, 0}, mark.body1, {a.x, a.y, a.z}));
     lines.push_back(line(mark.body2, {0, 0, 0}, mark.body2, {b.x, b.y, b.z}));
   }
-  for (const Segment& segment : made.segments)
-    lines.push_back(line(segment.body1, segment.anchor1, segment.body2, segment.anchor2));
+  const auto& joints = made.world.joints();  // in the order of the marks, or of the segments
+  for (std::size_t k = 0; k < made.segments.size(); ++k) {
+    const Segment& segment = made.segments[k];
+    const auto* rope = k < joints.size() ? dynamic_cast<const CentreRopeJoint*>(joints[k].get())
+                                         : nullptr;
+    lines.push_back(line(segment.body1, segment.anchor1, segment.body2, segment.anchor2,
+                         rope ? "," + decimal(double(rope->part.rod.length)) : ""));
+  }
   text += ",\"lines\":" + listed(lines, itself) + ",\"marks\":" +
-          listed(made.marks, [](const Mark& mark) {
+          listed(made.marks, [&, k = std::size_t(0)](const Mark& mark) mutable {
+            const bool weld = k < joints.size() &&
+                              dynamic_cast<const FixedJoint*>(joints[k].get()) != nullptr;
+            ++k;
             return "[" + std::to_string(mark.body1) + "," + place(mark.anchor1_local) + "," +
                    std::to_string(mark.body2) + "," + place(mark.anchor2_local) + "," +
-                   place(mark.axis1_local) + "]";
+                   place(mark.axis1_local) + "," + (weld ? "1" : "0") + "]";
           }) +
           ",\"energy_scale\":" + decimal(live_run->energy_scale()) + "}";
 }

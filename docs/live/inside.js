@@ -27,14 +27,12 @@ function joints_of(numbers) {
   return found;
 }
 
-function arrow(pen, [x1, y1], [x2, y2], head) {
-  const length = Math.hypot(x2 - x1, y2 - y1);
-  if (!head && length < 3) return;
+// The head of an arrow, shorter where the arrow is.
+function arrow_head(pen, [x1, y1], [x2, y2], whole) {
+  const length = Math.hypot(x2 - x1, y2 - y1), head = Math.min(12, 0.5 * whole);
+  if (!(length > 0 && whole > 3)) return;
   const [u, v] = [(x2 - x1) / length, (y2 - y1) / length];
-  head ||= Math.min(9, 0.5 * length);
   pen.beginPath();
-  pen.moveTo(x1, y1);
-  pen.lineTo(x2, y2);
   for (const side of [-1, 1]) {
     pen.moveTo(x2, y2);
     pen.lineTo(x2 - head * (u + side * 0.5 * v), y2 - head * (v - side * 0.5 * u));
@@ -53,15 +51,18 @@ function arrow_reach(view, joints) {
   return reach;
 }
 // Paints over a picture; the first argument is what draw() of the player returned.
-function paint_inside({pen, view}, joints, first) {
+function paint_impulses({pen, view}, joints) {
   const reach = arrow_reach(view, joints);
-  for (const {place, error, impulse, next} of joints) {
-    const at = project(view, place);
+  for (const {place, impulse} of joints)
+    stroke(pen, view, [place, plus(place, reach, impulse)], "--ink", {width: 2.2, head: true});
+}
+function paint_inside(painted, joints, first) {
+  const {pen, view} = painted;
+  paint_impulses(painted, joints);
+  for (const {place, error, next} of joints) {
+    const at = project(view, place), much = error_place(error, first);
     if (at[2] < view.near) continue;
     pen.strokeStyle = style("--ink");
-    pen.lineWidth = 1.8;
-    arrow(pen, at, project(view, plus(place, reach, impulse)));
-    const much = error_place(error, first);
     pen.fillStyle = error_colour(much);
     pen.lineWidth = next ? 3 : 1;
     pen.beginPath();

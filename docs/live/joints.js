@@ -1,14 +1,9 @@
 // Joints over the picture: anchors, axes, limits and motors, and the spring of a hand.
 "use strict";
 
-// A direction of a body's own in the world.
-const along = (body, a) => sub(world(body, a), body.x);
-const unit = a => { const length = size(a); return length > 1e-9 ? a.map(c => c / length) : null; };
-const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                         a[0] * b[1] - a[1] * b[0]];
-
-// A line through points of the world; nothing where one of them is behind the camera.
-function stroke(pen, view, points, colour, {width = 1.6, dashes = [], head = false} = {}) {
+// A line through points of the world; nothing where one of them is behind the camera. Filled: the
+// area within it, too, pale.
+function stroke(pen, view, points, colour, {width = 1.6, dashes = [], head, filled} = {}) {
   const seen = points.map(p => project(view, p));
   if (seen.some(p => p[2] < view.near)) return;
   pen.strokeStyle = style(colour);
@@ -18,7 +13,13 @@ function stroke(pen, view, points, colour, {width = 1.6, dashes = [], head = fal
   seen.forEach(([x, y], i) => i ? pen.lineTo(x, y) : pen.moveTo(x, y));
   pen.stroke();
   pen.setLineDash([]);
-  if (head) arrow(pen, seen.at(-2), seen.at(-1), 8);
+  if (head) arrow_head(pen, seen.at(-2), seen.at(-1), Math.hypot(
+    seen.at(-1)[0] - seen[0][0], seen.at(-1)[1] - seen[0][1]));
+  if (!filled) return;
+  pen.globalAlpha = 0.25;
+  pen.fillStyle = style(colour);
+  pen.fill();
+  pen.globalAlpha = 1;
 }
 // A circle of so many pixels around a point; filled: a dot.
 function spot(pen, view, p, colour, pixels, filled) {
@@ -46,14 +47,16 @@ function paint_hinge({pen, view}, at, axis, zero, joint) {
   const radius = 0.7 * Math.max(size(flat), 0.3), {lower, upper} = joint;
   if (lower !== null && upper !== null) {
     const turn = Math.min(upper - lower, 2 * Math.PI);
-    stroke(pen, view, arc(at, axis, way, radius, lower, lower + turn), "--limit", {width: 2});
+    stroke(pen, view, [at, ...arc(at, axis, way, radius, lower, lower + turn), at], "--limit",
+           {width: 2.5, filled: true});
   }
   for (const end of [lower, upper])
     if (end !== null)
-      stroke(pen, view, [at, arc(at, axis, way, 1.1 * radius, end, end)[0]], "--limit");
+      stroke(pen, view, [at, arc(at, axis, way, 1.1 * radius, end, end)[0]], "--limit",
+             {width: 2.5});
   if (joint.strength > 0 && joint.speed !== 0)
     stroke(pen, view, arc(at, axis, way, 0.45 * radius, 0, 2 * Math.sign(joint.speed)), "--motor",
-           {width: 2.2, head: true});
+           {width: 3.5, head: true});
 }
 // Of a slider: its line, as far as it may go.
 function paint_slider({pen, view}, at, axis, joint) {
@@ -68,14 +71,14 @@ function paint_slider({pen, view}, at, axis, joint) {
              "--limit", {width: 2});
   if (joint.strength > 0 && joint.speed !== 0) {
     const beside = plus(at, 12 * metre, side), way = 40 * metre * Math.sign(joint.speed);
-    stroke(pen, view, [beside, plus(beside, way, axis)], "--motor", {width: 2.2, head: true});
+    stroke(pen, view, [beside, plus(beside, way, axis)], "--motor", {width: 3.5, head: true});
   }
 }
 
 // Paints over a picture; the first argument is what draw() of the player returned.
 function paint_joints(painted, run, driven) {
   const {pen, view, bodies} = painted, few = run.marks.length < 40;
-  for (const [one, anchor1, two, anchor2, axis] of run.marks) {
+  for (const [one, anchor1, two, anchor2, axis] of lit ? [] : run.marks) {
     const [p, q] = [world(bodies[one], anchor1), world(bodies[two], anchor2)];
     const wide = Math.min(...[one, two].map(k => Math.max(...bodies[k].half)));
     const n = few && unit(along(bodies[one], axis));
@@ -88,7 +91,7 @@ function paint_joints(painted, run, driven) {
     if (pixels > 2) spot(pen, view, p, "--joint", pixels, false);
     spot(pen, view, q, "--joint", pixels / 2, true);
   }
-  for (const [one, anchor1, two, anchor2] of run.lines.slice(2 * run.marks.length))
+  for (const [one, anchor1, two, anchor2] of lit ? [] : run.lines.slice(2 * run.marks.length))
     for (const p of [world(bodies[one], anchor1), world(bodies[two], anchor2)])
       spot(pen, view, p, "--joint", 2.5, true);
   for (const joint of few ? driven : []) {
@@ -105,6 +108,7 @@ function paint_hand({pen, view, bodies}, {body, point, local}) {
   const wide = side && 5 * view.distance / view.focal;
   const zigzag = Array.from({length: 13}, (_, i) => plus(
     plus(from, i / 12, way), side && i % 12 ? (i % 2 ? wide : -wide) : 0, side || way));
-  stroke(pen, view, zigzag, "--ink", {width: 1.4});
-  spot(pen, view, point, "--ink", 5, false);
+  stroke(pen, view, zigzag, "--panel", {width: 5});
+  stroke(pen, view, zigzag, "--ink", {width: 2.2});
+  spot(pen, view, point, "--ink", 6, true);
 }

@@ -76,12 +76,16 @@ function says() {
 // ---------------------------------------------------------------------------------- painting
 function show() {
   if (!scene || !panels.every(panel => panel.run)) return;
+  scene.now = time;
   for (const panel of panels) {
     panel.painted = draw(panel, scene, 0);
     if (!panel.painted) continue;
     if (compared()) paint_outline(panel.painted, panels[1].run);
     if (inside && panel.joints) paint_inside(panel.painted, panel.joints, panel.first_error);
-    else if (isFinite(panel.now[2])) paint_joints(panel.painted, panel.run, panel.driven);
+    else if (isFinite(panel.now[2])) {
+      paint_joints(panel.painted, panel.run, panel.driven);
+      if (forces && panel.forces) paint_impulses(panel.painted, panel.forces);
+    }
     if (compared()) paint_parting(panel.painted, panel.run, panels[1].run);
     if (held?.panel === panel) paint_hand(panel.painted, held);
   }
@@ -243,6 +247,11 @@ async function start() {
   $("one").onclick = () => { playing = false; then_show(() => steps(1)); };
   $("iteration").onclick = () => then_show(() => next_inside(false));
   $("block").onclick = () => then_show(() => next_inside(true));
+  $("forces").onclick = () => {
+    forces = !forces;
+    $("forces").setAttribute("aria-pressed", forces);
+    then_show(find_forces);
+  };
   $("keep").onclick = () => then_show(() => {
     const words = Object.entries(differences()).map(pair => pair.join(" ")).join(", ");
     for (const panel of panels)

@@ -188,11 +188,10 @@ function paint_outline({pen, view}, run) {
   for (const thing of [...bodies.filter(body => !body.still && body.up < 0),
                        ...lines_at(run, bodies)]) {
     if (!prepare(thing, view)) continue;
-    pen.beginPath();
-    if (thing.line) trace(pen, thing.ends);
-    else if (thing.ball) pen.arc(...thing.disc, 0, 2 * Math.PI);
-    else for (const face of thing.faces) trace(pen, face.points);
-    pen.stroke();
+    for (const face of thing.faces || [{}]) {
+      trace_part(pen, thing, face.points);
+      pen.stroke();
+    }
   }
 }
 // Where the joint is that parted first: between these bodies.

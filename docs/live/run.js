@@ -6,6 +6,7 @@ let time = 0, playing = false, busy = false, asked = false, before = 0, owed = 0
 let inside = null;    // {iteration, block} while the page looks into a step
 let straight = true;  // the run is what its address says: nothing was changed or dragged on the way
 let view = "energy", wrong = "", refusal = "", looked = 0;
+let forces = false;   // the impulses of the step to come are shown as arrows
 let held = null;      // {panel, body, point, local}: a hand holds a body by one of its points
 let pace = {rate: 1, wall: 0, time: 0};  // of the run, and since when it has been counted
 
@@ -107,6 +108,14 @@ async function steps(count) {
     count -= piece;
     time = Math.max(...panels.map(panel => panel.now[0]));
   }
+  await find_forces();
+}
+async function find_forces() {
+  if (!forces || settings.own) return;
+  const iterations = settings.direct ? 1 : settings.iterations;
+  await ask_all("look", {iterations, blocks: 0}, (panel, found) => {
+    panel.forces = joints_of(found.joints);
+  });
 }
 
 async function look_inside(iteration, block) {

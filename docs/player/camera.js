@@ -1,5 +1,4 @@
-// Where the camera stands, what it sees of a scene, and what hides what. `ask()` of the page paints
-// at the next chance.
+// Where the camera stands and what it sees of a scene. `ask()` of the page paints soon.
 "use strict";
 
 // ------------------------------------------------------------------------------------ the camera
@@ -22,22 +21,43 @@ function view_of(scene, width, height, {yaw, pitch, zoom}, target = null) {
                 back: [sy * cp, sp, cy * cp], focal: 1.6 * Math.max(width, height)};
   view.light = plus(plus([0, 0.85, 0], 0.45, view.back), -0.3, view.right);
   const shape = width / height;
-  if (scene.shape !== shape) {  // from the first direction, every point of every frame in view
-    scene.shape = shape;
-    const home = view_of(scene, width, height, {yaw: scene.yaw, pitch: first_pitch, zoom: 1});
-    scene.distance = scene.points.reduce((far, p) => {
-      const d = sub(p, scene.centre), across = Math.abs(dot(d, home.right)) / (0.45 * width);
-      const upward = Math.abs(dot(d, home.up)) / (0.40 * height);
-      return Math.max(far, dot(d, home.back) + home.focal * Math.max(across, upward));
-    }, 0.01);
+  if (!target && scene.shape !== shape) {
+    const from = view_of(scene, width, height, {yaw: scene.yaw, pitch: first_pitch, zoom: 1},
+                         {centre: scene.centre, across: 1, upward: 1});
+    const [near, far] = [scene.early, scene.points].map(points => fit(from, points));
+    const grows = far.distance > 1.5 * near.distance;
+    Object.assign(scene, {shape, homes: [grows ? near : far, far]});
   }
-  view.distance = (!target ? scene.distance : view.focal * Math.max(
+  const home = target ? null : between(...scene.homes, clamp((scene.now - 0.8) / 2.2, 0, 1));
+  view.distance = (!target ? home.distance : view.focal * Math.max(
     target.across / (0.45 * width), target.upward / (0.4 * height))) / zoom;
   view.near = 0.02 * view.distance;
-  view.centre = target ? target.centre : scene.centre;
+  view.centre = target ? target.centre : home.centre;
   view.reach = target ? 2.5 * target.across : scene.reach;
   view.eye = plus(view.centre, view.distance, view.back);
   return view;
+}
+// Where a scene goes far the camera begins with its first second and moves back as it grows.
+const between = (near, far, s) => ({
+  centre: plus(near.centre, s * s * (3 - 2 * s), sub(far.centre, near.centre)),
+  distance: near.distance + s * s * (3 - 2 * s) * (far.distance - near.distance)});
+// Where to look from this direction, and from how far, so that all points are in the picture and
+// fill it: once for the distance, then with the picture moved to the middle, below the caption.
+function fit(view, points) {
+  let centre = view.centre, distance = 0.01;
+  for (let round = 0; round < 4; ++round) {
+    const away = points.map(p => sub(p, centre));
+    distance = away.reduce((far, d) => Math.max(far, dot(d, view.back) + view.focal * Math.max(
+      Math.abs(dot(d, view.right)) / (0.46 * view.width),
+      Math.abs(dot(d, view.up)) / (0.44 * view.height))), 0.01);
+    if (round === 3) break;
+    for (const axis of [view.right, view.up]) {
+      const seen = away.map(d => dot(d, axis) / (distance - dot(d, view.back)));
+      const [least, most] = [Math.min, Math.max].map(choose => seen.reduce((a, b) => choose(a, b)));
+      centre = plus(centre, distance * (least + most) / 2, axis);
+    }
+  }
+  return {centre, distance};
 }
 const first_pitch = 0.26;
 
@@ -58,53 +78,6 @@ function outline(view, points) {
       kept.push(plus(p, ahead[i] / (ahead[i] - ahead[j]), sub(points[j], p)));
     return kept.map(p => project(view, p));
   });
-}
-
-// ----------------------------------------------------------------------------- what hides what
-const reach_along = (thing, n) =>
-  thing.axes.reduce((sum, axis, k) => sum + Math.abs(dot(axis, n)) * thing.half[k], 0);
-
-// Does b hide a? The plane that parts the two best decides: whatever is on the camera's side of
-// it can only be in front. For a ball that plane faces its centre, for boxes it is one of their
-// faces. Distance from the camera alone would be wrong for a small thing upon a large one.
-function hides(b, a, eye) {
-  if (a.line && b.line || a.ball && b.ball) return b.depth < a.depth;
-  if (a.ball) return !hides(a, b, eye);
-  if (b.ball) {
-    const d = sub(b.x, a.x), nearest = a.axes.reduce(
-      (p, n, k) => plus(p, clamp(dot(n, d), -a.half[k], a.half[k]), n), a.x);
-    return dot(sub(b.x, nearest), sub(eye, nearest)) > 0;
-  }
-  let widest = -Infinity, answer = false;
-  for (const [p, q, q_is_b] of [[a, b, true], [b, a, false]])
-    p.axes.forEach((n, k) => {
-      const d = dot(n, q.x) - dot(n, p.x), gap = Math.abs(d) - p.half[k] - reach_along(q, n);
-      if (gap <= widest) return;
-      widest = gap;
-      answer = (Math.sign(d) * (dot(n, eye) - dot(n, p.x)) > p.half[k]) === q_is_b;
-    });
-  return answer;
-}
-
-// The painter's order, far to near: each thing after all that it hides.
-function painters_order(things, eye) {
-  things.sort((a, b) => a.left - b.left);
-  things.forEach((a, i) => {
-    for (let j = i + 1; j < things.length && things[j].left < a.right; ++j) {
-      const b = things[j];
-      if (a.top > b.bottom || b.top > a.bottom) continue;
-      if (hides(b, a, eye)) b.under.push(a); else a.under.push(b);
-    }
-  });
-  const order = [];
-  const visit = thing => {  // a ring in which each hides the next is cut where it is entered
-    if (thing.seen) return;
-    thing.seen = true;
-    thing.under.forEach(visit);
-    order.push(thing);
-  };
-  things.sort((a, b) => b.depth - a.depth).forEach(visit);
-  return order;
 }
 
 // ------------------------------------------------------------------------- turned by hand

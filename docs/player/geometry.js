@@ -8,6 +8,10 @@ const sub = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const plus = (a, s, b) => [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]];  // a + s b
 const size = a => Math.sqrt(dot(a, a));
 const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
+const times = (s, a) => a.map(c => s * c);
+const unit = a => { const length = size(a); return length > 1e-9 ? times(1 / length, a) : null; };
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                         a[0] * b[1] - a[1] * b[0]];
 const upright = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 
 // A body's own three axes in the world: the columns of its rotation matrix.
@@ -16,6 +20,9 @@ const turned = (w, x, y, z) => [
   [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)],
   [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)]];
 const world = (body, a) => body.axes.reduce((p, n, k) => plus(p, a[k], n), body.x);
+const along = (body, a) => sub(world(body, a), body.x);  // a direction of the body's own
+const reach_along = (body, n) =>
+  body.axes.reduce((sum, axis, k) => sum + Math.abs(dot(axis, n)) * body.half[k], 0);
 
 // ------------------------------------------------------------------------------ what is recorded
 const end = run => (run.frames.length - 1) * run.dt;
@@ -36,30 +43,12 @@ function bodies_at(run, t) {
   });
 }
 
-// How much of the way from p, which may lie inside the body, to q leads out of it: 0 .. 1.
-function way_out(body, p, q) {
-  const m = sub(p, body.x), d = sub(q, p);
-  if (body.ball) {
-    const a = dot(d, d), b = dot(m, d), c = dot(m, m) - body.half[0] ** 2;
-    return c > 0 || a === 0 ? 0 : clamp((Math.sqrt(b * b - a * c) - b) / a, 0, 1);
-  }
-  return clamp(Math.min(...body.axes.map((n, k) => {
-    const from = dot(n, m), step = dot(n, d), half = body.half[k];
-    if (Math.abs(from) > 1.001 * half) return 0;
-    return step === 0 ? 1 : (Math.sign(step) * half - from) / step;
-  })), 0, 1);
-}
-
-// The lines as thin bodies with one axis. Only the part outside the two bodies it joins is drawn.
-function lines_at(run, bodies) {
-  return (bodies.length ? run.lines : []).flatMap(([one, anchor1, two, anchor2]) => {
-    const p = world(bodies[one], anchor1), q = world(bodies[two], anchor2), d = sub(q, p);
-    const from = way_out(bodies[one], p, q), to = 1 - way_out(bodies[two], q, p), length = size(d);
-    if (from >= to) return [];
-    return [{line: true, ends: [plus(p, from, d), plus(p, to, d)], x: plus(p, (from + to) / 2, d),
-             axes: length ? [d.map(c => c / length)] : [], half: [(to - from) / 2 * length]}];
+// The lines as thin bodies with two ends.
+const lines_at = (run, bodies) => (bodies.length ? run.lines : []).map(
+  ([one, anchor1, two, anchor2]) => {
+    const ends = [world(bodies[one], anchor1), world(bodies[two], anchor2)];
+    return {line: true, ends, x: ends[0]};
   });
-}
 
 const corners = body => [0, 1, 2, 3, 4, 5, 6, 7].map(bits =>
   (body.ball ? upright : body.axes).reduce(
@@ -107,6 +96,9 @@ function measure(scene) {
   scene.points = [];
   grow(solid(live[0], 0).concat(under(live[0], solid(live[0], 0))));
   const start = size(sub(scene.high, scene.low));
+  scene.now = Infinity;  // a page that knows the time says it
+  scene.early = live[0].frames.flatMap(
+    (_, k) => k * live[0].dt > 1.2 ? [] : solid(live[0], k * live[0].dt));
   live.forEach((run, i) => {
     const stride = Math.ceil(run.frames.length * run.bodies.length / 4000), found = [];
     const far = fastest(run) < 200 ? Infinity : 15;

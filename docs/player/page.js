@@ -2,7 +2,7 @@
 "use strict";
 
 const $ = id => document.getElementById(id);
-const query = new URLSearchParams(location.search || location.hash.slice(1));
+const query = new URLSearchParams(`${location.search.slice(1)}&${location.hash.slice(1)}`);
 const framed = self !== top;  // inside another page: leave scrolling to it, do not start unasked
 document.documentElement.classList.toggle("framed", framed);
 const icons = {Play: "M7 4l13 8-13 8z", Pause: "M6 4h4v16H6zM14 4h4v16h-4z",

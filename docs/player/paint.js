@@ -1,4 +1,4 @@
-// Paints a scene on a canvas: ground, shadows, bodies, lines, labels and the scale.
+// Paints a scene on a canvas: what lit.js draws, or flat faces; over it labels and the scale.
 "use strict";
 
 // -------------------------------------------------------------------------------------- painting
@@ -24,73 +24,11 @@ function faces(body, wanted) {
       const n = body.axes[k].map(c => side * c), x = plus(body.x, body.half[k], n);
       if (!wanted(n, x)) continue;
       const i = (k + 1) % 3, j = (k + 2) % 3, u = side * body.half[i], v = body.half[j];
-      found.push({n, points: [[-u, -v], [u, -v], [u, v], [-u, v]].map(([s, t]) =>
+      found.push({n, middle: x, points: [[-u, -v], [u, -v], [u, v], [-u, v]].map(([s, t]) =>
         plus(plus(x, s, body.axes[i]), t, body.axes[j]))});
     }
   return found;
 }
-const circle = Array.from({length: 24}, (_, i) => i * Math.PI / 12);
-const ring = ball => ({points: circle.map(angle => plus(
-  plus(ball.x, ball.half[0] * Math.cos(angle), upright[2]), ball.half[0] * Math.sin(angle),
-  upright[0]))});
-
-// The ground: the top of a slab that is recorded as one, else as low as anything ever gets. Its
-// lines fade outwards and stand still in the world, so that one sees what moves. A shadow straight
-// below each body tells how deep in the picture it is. It is painted first and hides nothing.
-function ground_of(scene, run, bodies) {
-  const slab = grounds(bodies)[0];
-  if (!slab) return {origin: [0, scene.low[1], 0], u: upright[0], v: upright[2], n: upright[1],
-                     ends: [Infinity, Infinity], drop: p => [p[0], scene.low[1], p[2]]};
-  const [i, j] = [0, 1, 2].filter(k => k !== slab.up), n = slab.axes[slab.up];
-  const up = n.map(c => Math.sign(n[1]) * c);
-  return {origin: plus(slab.x, slab.half[slab.up], up), u: slab.axes[i], v: slab.axes[j], n: up,
-          ends: run.endless ? [Infinity, Infinity] : [slab.half[i], slab.half[j]],
-          drop: p => drop(slab, p)};
-}
-function paint_ground(pen, view, scene, run, bodies) {
-  const cell = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500].find(
-    c => view.reach / c < 14 && (c >= 1 || view.reach < 1.4)) || 1000;
-  const ground = ground_of(scene, run, bodies), {origin, u, v, ends} = ground;
-  const n = Math.ceil(view.reach / cell) + 2, from = sub(view.centre, origin);
-  const [cu, cv] = [u, v].map(axis => Math.round(dot(axis, from) / cell) * cell);
-  const fades = Array.from({length: 10}, () => new Path2D());
-  const node = (s, t) => project(view, plus(plus(origin, s, u), t, v));
-  const cut = (x, k) => clamp(x, -ends[k], ends[k]);
-  const piece = (level, s1, t1, s2, t2) => {
-    const a = node(cut(s1, 0), cut(t1, 1)), b = node(cut(s2, 0), cut(t2, 1));
-    if (Math.min(a[2], b[2]) < view.near) return;  // in pieces, so leaving one out is enough
-    fades[level].moveTo(a[0], a[1]);
-    fades[level].lineTo(b[0], b[1]);
-  };
-  for (let i = -n; i <= n; ++i)
-    for (let j = -n; j < n; ++j) {
-      const level = Math.floor(10 * (1 - Math.hypot(i, j + 0.5) / n));
-      if (level < 0) continue;
-      const [s, t] = [cu + i * cell, cv + i * cell];
-      const [at, up] = [j * cell, (j + 1) * cell];
-      if (Math.abs(s) <= ends[0]) piece(level, s, cv + at, s, cv + up);
-      if (Math.abs(t) <= ends[1]) piece(level, cu + at, t, cu + up, t);
-    }
-  pen.strokeStyle = style("--grid");
-  fades.forEach((fade, level) => { pen.globalAlpha = 0.05 * (level + 1); pen.stroke(fade); });
-  if (isFinite(ends[0])) {  // where it ends
-    pen.globalAlpha = 0.35;
-    pen.beginPath();
-    trace(pen, outline(view, [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(
-      ([s, t]) => plus(plus(origin, s * ends[0], u), t * ends[1], v))));
-    pen.stroke();
-  }
-  pen.beginPath();
-  for (const body of bodies.length > 400 ? [] : bodies)  // a crowd casts none, to stay smooth
-    if (body.up < 0)
-      for (const face of body.ball ? [ring(body)] : faces(body, n => n[1] > 0))
-        trace(pen, outline(view, face.points.map(ground.drop)));
-  pen.globalAlpha = style("--shade");
-  pen.fillStyle = style("--shadow");
-  if (dot(ground.n, sub(view.eye, origin)) > 0) pen.fill();
-  pen.globalAlpha = 1;
-}
-
 // The way that the travellers have come, where it is long.
 function paint_way(pen, view, run, scene, time) {
   if (scene.travel < 4) return;
@@ -116,7 +54,7 @@ function paint_way(pen, view, run, scene, time) {
 function prepare(thing, view) {
   let points = outline(view, [thing.x]);
   thing.depth = size(sub(view.eye, thing.x));
-  thing.under = [];
+  if (!lit && !thing.line) thing.box = corners(thing);
   if (thing.line) points = thing.ends = outline(view, thing.ends);
   else if (thing.ball)
     points = points.flatMap(([x, y, depth]) => {
@@ -135,34 +73,46 @@ function prepare(thing, view) {
   return thing.right > 0 && thing.left < view.width && thing.bottom > 0 && thing.top < view.height;
 }
 
-function paint(pen, thing, view, colour) {
-  if (thing.line) {
-    pen.strokeStyle = rgb(colours.line, 0.5);
-    pen.lineWidth = clamp(2.4 * view.distance / thing.depth, 1, 8);
-    pen.beginPath();
-    trace(pen, thing.ends);
+// Flat, face by face from far to near, where nothing better can be drawn: middles decide what hides
+// what. A shadow straight below each body tells how deep in the picture it is.
+function paint_flat(pen, view, scene, things, colour_of, slab) {
+  const below = p => slab ? drop(slab, p) : [p[0], scene.low[1], p[2]];
+  pen.fillStyle = style("--panel");
+  pen.fillRect(0, 0, view.width, view.height);
+  pen.beginPath();
+  for (const thing of things.length > 400 ? [] : things)
+    if (!thing.line && thing.box) trace(pen, outline(view, hull(thing.box.map(below))));
+  pen.globalAlpha = style("--shade");
+  pen.fillStyle = style("--shadow");
+  pen.fill();
+  pen.globalAlpha = 1;
+  const parts_of = thing => thing.faces?.map(face => ({...face, thing,
+    depth: size(sub(view.eye, face.middle))})) || [{thing, n: upright[1], depth: thing.depth}];
+  for (const {thing, n, points} of things.flatMap(parts_of).sort((a, b) => b.depth - a.depth)) {
+    const light = clamp(0.25 + 0.48 * dot(n, view.light), 0.16, 0.85);
+    pen.fillStyle = rgb(colour_of(thing), light);
+    pen.strokeStyle = thing.line ? style("--line") : rgb(colour_of(thing), light - 0.15);
+    pen.lineWidth = thing.line ? 2 : 1;
+    trace_part(pen, thing, points);
+    if (!thing.line) pen.fill();
     pen.stroke();
-  } else if (thing.ball) {
-    const [x, y, r] = thing.disc;
-    const shade = pen.createRadialGradient(x - 0.3 * r, y - 0.4 * r, 0, x, y, r);
-    [0.9, 0.62, 0.43, 0.22].forEach((light, i) => shade.addColorStop(i / 3, rgb(colour, light)));
-    pen.fillStyle = shade;
-    pen.beginPath();
-    pen.arc(x, y, r, 0, 2 * Math.PI);
-    pen.fill();
-  } else {
-    const large = thing.right - thing.left > 24;  // a small one gets bolder instead of edges
-    for (const {n, points} of thing.faces) {
-      const light = clamp(0.25 + 0.48 * dot(n, view.light), 0.16, 0.85);
-      pen.fillStyle = rgb(colour, light);
-      pen.strokeStyle = rgb(colour, large ? light - 0.1 : light);
-      pen.lineWidth = large ? 0.8 : 1.3;
-      pen.beginPath();
-      trace(pen, points);
-      pen.fill();
-      pen.stroke();
-    }
   }
+}
+// A polygon around points of a ground, seen from above.
+function hull(points) {
+  const half = sorted => sorted.reduce((kept, p) => {
+    const turns = ([a, b]) => (b[0] - a[0]) * (p[2] - a[2]) - (b[2] - a[2]) * (p[0] - a[0]) <= 0;
+    while (kept.length > 1 && turns(kept.slice(-2))) kept.pop();
+    return [...kept, p];
+  }, []);
+  const sorted = points.sort((a, b) => a[0] - b[0] || a[2] - b[2]);
+  return [...half(sorted), ...half([...sorted].reverse()).slice(1)];
+}
+// The outline of a thing that was prepared, or of one of its faces.
+function trace_part(pen, thing, points = thing.ends) {
+  pen.beginPath();
+  if (thing.ball) pen.arc(...thing.disc, 0, 2 * Math.PI);
+  else trace(pen, points);
 }
 
 // Bottom left the directions of x, y, z; bottom right a bar of known length at the centre's depth.
@@ -199,6 +149,7 @@ function paint_labels(pen, view, things) {
     if (thing.label) pen.fillText(thing.label, (thing.left + thing.right) / 2, thing.top - 4);
 }
 
+const FLAT = "Drawn flat: there is no graphics card, or no WebGL.";
 // Paints a run at a time; returns what else may be painted over it, null for a canvas without size.
 function draw({canvas, run, note}, scene, time) {
   const width = canvas.clientWidth, height = canvas.clientHeight, pen = canvas.getContext("2d");
@@ -209,16 +160,18 @@ function draw({canvas, run, note}, scene, time) {
   pen.lineJoin = pen.lineCap = "round";
   const bodies = bodies_at(run, time);
   const view = view_of(scene, width, height, camera, followed(scene, bodies));
-  const things = [...bodies.filter(body => body.up < 0), ...lines_at(run, bodies)]
+  const things = [...bodies.filter(body => body.up < 0), ...(lit ? [] : lines_at(run, bodies))]
     .filter(thing => prepare(thing, view));
-  paint_ground(pen, view, scene, run, bodies);
+  const colour_of = ({still, odd}) => still ? colours.still
+    : (odd ? every_second : colours)[run.label];
+  if (lit) {
+    render(view, scene, run, bodies, body => `rgb(${colour_of(body)})`);
+    pen.drawImage(lit.canvas, 0, 0, width, height);
+  } else paint_flat(pen, view, scene, things, colour_of, grounds(bodies)[0]);
   if (bodies.length) paint_way(pen, view, run, scene, time);
-  for (const thing of painters_order(things, view.eye))
-    paint(pen, thing, view, thing.still ? colours.still
-      : (thing.odd ? every_second : colours)[run.label]);
   paint_labels(pen, view, things);
   paint_scale(pen, view);
-  const moving = thing => !thing.still && !thing.line, says = [];
+  const moving = thing => !thing.still && !thing.line, says = lit ? [] : [FLAT];
   if (run.stopped !== undefined)
     says.push(`stopped: not a number from t = ${run.stopped.toFixed(2)} s`);
   else if (time > end(run) + 1e-9) says.push(`ended at ${end(run).toFixed(2)} s`);

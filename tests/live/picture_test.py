@@ -117,6 +117,59 @@ def joints_are_drawn(root, build):
         yield "a motor without strength is drawn"
 
 
+# Of the picture that three.js has drawn: [bodies, joints too, of all pixels; the canvas, of the
+# window; pixels of the floor in a shadow], each in percent.
+COVERED = """(() => {
+  const {stage, ground, renderer, eye, canvas} = lit, {background} = stage;
+  const copy = document.createElement("canvas"), pen = copy.getContext("2d");
+  Object.assign(copy, {width: canvas.width, height: canvas.height});
+  const count = is => {
+    renderer.render(stage, eye);
+    pen.drawImage(canvas, 0, 0);
+    const {data} = pen.getImageData(0, 0, copy.width, copy.height);
+    let sum = 0;
+    for (let k = 0; k < data.length; k += 4) sum += is(data[k], data[k + 1], data[k + 2]);
+    return 400 * sum / data.length;
+  };
+  const shadow = count(
+    (r, g, b) => Math.max(r, g, b) - Math.min(r, g, b) < 12 && r > 90 && r < 160);
+  stage.overrideMaterial = new THREE.MeshBasicMaterial({color: 0xff00ff, fog: false});
+  Object.assign(stage, {background: new THREE.Color(0)});
+  ground.visible = false;
+  const bodies = count((r, g) => r > 100 && g < 50);
+  Object.assign(stage, {background, overrideMaterial: null});
+  ground.visible = true;
+  const box = panels[0].canvas.getBoundingClientRect();
+  return [bodies, 100 * box.width * box.height / innerWidth / innerHeight, shadow]; })()"""
+# What bodies cover at least at 1 s, of the picture: 8 percent, but for scenes of thin or upright
+# things, at 1280 and at 390 pixels.
+LEAST = {"chain": (2, 1.5), "bridge": (8, 7), "door": (5, 8), "ropes": (8, 2.5)}
+
+
+def bodies_are_lit(root, build):
+    """with WebGL bodies fill the picture and throw shadows, and the canvas fills the first screen;
+    without, a sentence says that it is flat"""
+    address = address_of(build)
+    with browser.Browser(webgl=True) as here:
+        for scene, least in LEAST.items():
+            for size, wanted in zip(((1280, 800), PHONE), least):
+                here.open(f"{address}#scene={scene}&t=1&lit=1", *size)
+                bodies, canvas, shadow = here.ask(COVERED)
+                name = f"#{scene}, {size[0]} pixels"
+                if bodies < wanted:
+                    yield f"{name}: bodies cover {bodies:.1f} % of the picture"
+                if canvas < 60:
+                    yield f"{name}: the canvas covers {canvas:.0f} % of the screen"
+                if shadow < 0.1:
+                    yield f"{name}: {shadow:.2f} % of the floor is in a shadow"
+                if wrong := [words for words in here.console if "rror" in words]:
+                    yield f"{name}: the console says {wrong}"
+    here = browser.shared()
+    here.open(f"{address}#scene=chain&t=1")
+    if "Drawn flat" not in here.ask("panels[0].note.textContent"):
+        yield "without WebGL nothing says that the picture is flat"
+
+
 def one_setting_in_a_frame(root, build):
     """within another page the scene has the one setting that the sentence is about, and its gap"""
     address_of(build)
@@ -173,8 +226,8 @@ def a_slow_run_is_told(root, build):
         yield f"a run at {real:.2f} of real time is said to be at {rates}"
 
 
-PROOFS = [bodies_are_dragged, keys_take_a_body, joints_are_drawn, one_setting_in_a_frame,
-          a_slow_run_is_told]
+PROOFS = [bodies_are_dragged, keys_take_a_body, joints_are_drawn, bodies_are_lit,
+          one_setting_in_a_frame, a_slow_run_is_told]
 
 if __name__ == "__main__":
     skip_without("the live page's picture in a browser",

@@ -97,11 +97,13 @@ def packed(run):
                          for row in run["readings"]]}
 
 
-def write_page(page, title, solution_dir, mine_dir=None, back=None, watch=None):
+def write_page(page, title, solution_dir, mine_dir=None, back=None, watch=None,
+               beside=""):
     """Writes the page. Raises MotionError when there is nothing to show or a file is broken.
 
     `back` is a link beside the heading: {"href": where it leads, "textContent": its words}.
-    `watch` says for each scene by its name what there is to see.
+    `watch` says for each scene by its name what there is to see; `beside`, where three.js lies, if
+    not in the page.
     """
     folders = [(Path(folder), label) for folder, label in
                ((mine_dir, "yours"), (solution_dir, "the solution")) if folder is not None]
@@ -122,7 +124,7 @@ def write_page(page, title, solution_dir, mine_dir=None, back=None, watch=None):
     data = {"title": title, **({"back": back} if back else {}), "scenes": scenes}
     try:
         Path(page).parent.mkdir(parents=True, exist_ok=True)
-        Path(page).write_text(pages.filled(TEMPLATE, data), encoding="utf-8")
+        Path(page).write_text(pages.filled(TEMPLATE, data, beside), encoding="utf-8")
     except OSError as error:
         raise MotionError(f"cannot write {page}: {error.strerror}") from error
 

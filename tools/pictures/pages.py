@@ -5,24 +5,40 @@ one file that can be moved anywhere.
 """
 import json
 import re
+import shutil
+from pathlib import Path
 
 LINK = re.compile(r'<link rel="stylesheet" href="([\w./]+)">')
 SLOT = ">PLACEHOLDER<"
 SCRIPT = re.compile(r'<script src="([\w./]+)"([^>]*)></script>')
+THREE = Path("/usr/share/javascript/three/three.min.js")  # three.js, Debian's libjs-three
 
 
-def whole(template):
-    """The text of a template with the style sheets and scripts that it names put into it."""
+def whole(template, beside=""):
+    """The text of a template with the style sheets and scripts that it names put into it; three.js
+    stays `beside` the page where that says how to reach it. Without it pages draw flat."""
     def part(name):
-        return (template.parent / name).read_text(encoding="utf-8")
+        if name != THREE.name:
+            return (template.parent / name).read_text(encoding="utf-8")
+        return THREE.read_text(encoding="utf-8") if THREE.exists() else ""
     text = template.read_text(encoding="utf-8")
     text = LINK.sub(lambda link: f"<style>\n{part(link[1])}</style>", text)
-    return SCRIPT.sub(lambda link: f"<script{link[2]}>\n{part(link[1])}</script>", text)
+    return SCRIPT.sub(lambda link: f'<script src="{beside}"></script>'
+                      if beside and link[1] == THREE.name else
+                      f"<script{link[2]}>\n{part(link[1])}</script>", text)
 
 
-def filled(template, data):
+def beside(folder, way=""):
+    """Puts three.js into the folder of a site; returns how its pages reach it, if it is there."""
+    if not THREE.exists():
+        return ""
+    shutil.copyfile(THREE, folder / THREE.name)
+    return way + THREE.name
+
+
+def filled(template, data, beside=""):
     """The same with data, as JSON, in its data element."""
     # Inside a script element a "<" could end it early; to JSON \u003c is the same.
     words = json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
-    before, after = whole(template).split(SLOT)
+    before, after = whole(template, beside).split(SLOT)
     return f"{before}>{words}<{after}"

@@ -14,11 +14,15 @@ import time
 
 NAMES = ("chromium", "chromium-browser", "google-chrome")
 # A page of the disk may look into the frames that it opens; nothing is fetched from elsewhere.
-FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-         "--disable-background-networking", "--disable-component-update", "--disable-sync",
+FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-3d-apis", "--disable-quic",
+         "--no-first-run", "--disable-background-networking", "--disable-component-update",
+         "--disable-sync",
          "--disable-web-security", "--allow-file-access-from-files", "--remote-debugging-pipe",
          "--hide-scrollbars", "--disable-site-isolation-trials",
          "--disable-features=BackForwardCache,SpareRendererForSitePerProcess"]
+# In place of these: WebGL, which the processor draws.
+NO_WEBGL = {"--disable-gpu", "--disable-3d-apis"}
+WEBGL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 PATIENCE = 300  # with a state that does not come [s]
 READY = "document.documentElement?.dataset.ready === 'yes'"
 STATE = """[location.href, document.readyState, JSON.stringify(document.documentElement.dataset),
@@ -61,11 +65,12 @@ class Page:
 class Browser(Page):
     """The output of the page's console and its requests to the network are kept."""
 
-    def __init__(self):
+    def __init__(self, webgl=False):
         self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         read_end, self.out = os.pipe()
         self.back, write_end = os.pipe()
-        command = [there(), *FLAGS, f"--user-data-dir={self.profile.name}", "about:blank"]
+        flags = [*set(FLAGS) - NO_WEBGL, *WEBGL] if webgl else FLAGS
+        command = [there(), *flags, f"--user-data-dir={self.profile.name}", "about:blank"]
         self.process = subprocess.Popen(  # the browser reads at 3 and writes at 4
             ["bash", "-c", f'exec "$@" 3<&{read_end} 4>&{write_end}', "bash", *command],
             pass_fds=(read_end, write_end), stdin=subprocess.DEVNULL,

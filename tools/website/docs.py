@@ -15,7 +15,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).absolute().parents[1]))
 from base import house  # noqa: E402
 from learn import show  # noqa: E402
-from pictures import figures, motion  # noqa: E402
+from pictures import figures, motion, pages as parts  # noqa: E402
 from website import (classes, experiments, formulas, front, gallery, links, live,  # noqa: E402
                      shell, texts, words)
 
@@ -143,8 +143,9 @@ def build(out, recordings):
     (html / f"{topics}.html").rename(html / "topics.html")
     if (house.OUT / "live.html").exists() and not live.missing():
         live.write_page(html / "live.html", "The engine, live",
-                        [("the solution", house.BUILD / "live" / "solution.wasm")], note="",
-                        chapter=0, back={"href": "index.html", "textContent": "the workbook"})
+                        [("the solution", house.BUILD / "live" / "solution.wasm")],
+                        parts.beside(html), note="", chapter=0,
+                        back={"href": "index.html", "textContent": "the workbook"})
     finish(html, recordings, out / "tags.xml")
     return html / "index.html"
 

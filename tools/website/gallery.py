@@ -15,7 +15,7 @@ from html import escape
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).absolute().parents[1]))
-from pictures import motion, poster  # noqa: E402
+from pictures import motion, pages, poster  # noqa: E402
 
 ROOT = Path(__file__).absolute().parents[2]
 PAGE = "docs/gallery.md"
@@ -141,6 +141,7 @@ def fill(html, recordings):
         number, _, name = folder.partition("_")
         motion.write_page(html / "motion" / f"{folder}.html", f"Chapter {int(number)}: {name}",
                           Path(recordings) / folder, watch=watch(folder),
+                          beside=pages.beside(html, "../"),
                           back={"href": f"../chapters_{folder}_README.html"
                                         f"#chapters_{folder}_README-see-it",
                                 "textContent": "the chapter"})

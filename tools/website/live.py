@@ -137,13 +137,14 @@ def build(swaps=None, folder=None):
 
 # ---- the page ------------------------------------------------------------------------------------
 
-def write_page(page, title, modules, **more):
-    """The page of these modules, [(label, file)]; `more` are its other settings."""
+def write_page(page, title, modules, beside="", **more):
+    """The page of these modules, [(label, file)]; `more` are its other settings; `beside` is where
+    three.js lies, if not in the page."""
     data = {"title": title, **more, "modules": [
         {"label": label, "wasm": base64.b64encode(file.read_bytes()).decode()}
         for label, file in modules]}
     page.parent.mkdir(parents=True, exist_ok=True)
-    page.write_text(pages.filled(TEMPLATE, data), encoding="utf-8")
+    page.write_text(pages.filled(TEMPLATE, data, beside), encoding="utf-8")
     return page
 
 

@@ -19,7 +19,7 @@ const site = window.site = {
   address(name) {
     const [, file, query, hash] = /^([^?#]*)\??([^#]*)#?(.*)$/.exec(name);
     if (!files.has(plain(file))) return name;
-    if (!addresses.has(file)) addresses.set(file, URL.createObjectURL(site.blob(file)));
+    if (!addresses.has(file)) addresses.set(file, URL.createObjectURL(site.blob(file, moving(file))));
     const state = [query, hash].filter(Boolean).join("&");
     return addresses.get(file) + (state && `#${state}`);
   },
@@ -33,6 +33,11 @@ const site = window.site = {
     return (await fetch(`data:;base64,${document.getElementById(name).textContent}`)).blob();
   },
 };
+
+/// A page that moves, with three.js in it: a blob has nothing beside it.
+const moving = name => name.endsWith(".html") ? site.text(name).replace(
+  /<script src="(?:\.\.\/)?three\.min\.js">/, () => `<script>${inline(site.text("three.min.js"))}`)
+  : undefined;
 
 /// A module that finds its neighbours by the names in the page's import map.
 const module_of = name => "data:text/javascript," + encodeURIComponent(

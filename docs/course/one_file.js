@@ -19,7 +19,8 @@ const site = window.site = {
   address(name) {
     const [, file, query, hash] = /^([^?#]*)\??([^#]*)#?(.*)$/.exec(name);
     if (!files.has(plain(file))) return name;
-    if (!addresses.has(file)) addresses.set(file, URL.createObjectURL(site.blob(file, moving(file))));
+    if (!addresses.has(file))
+      addresses.set(file, URL.createObjectURL(site.blob(file, moving(file))));
     const state = [query, hash].filter(Boolean).join("&");
     return addresses.get(file) + (state && `#${state}`);
   },

@@ -1,82 +1,71 @@
 #!/usr/bin/env python3
-"""The drawing of docs/architecture.md: the calls of a step, and the includes.
+"""The drawings of docs/architecture.md: what a step does (step), and which folders stand on which
+(architecture).
 
-    python3 plots/architecture.py OUT.svg
+    python3 plots/architecture.py architecture.svg|step.svg
 
-The arrows of the right half are read off the sources: an include that goes another way changes the
+The levels of the folders are read off the sources: an include that goes another way changes the
 drawing, and a proof of the workbook's tests compares the two.
 """
-import sys
 from pathlib import Path
 
-import drawing
 import layers
-from drawing import BODY1, BODY2, CARD, FAINT, INK, arrow, draw, words
+from drawing import ARROW, BODY1, BODY2, CARD, FAINT, INK, arrow, below, draw, line, title, words
 from matplotlib.patches import FancyBboxPatch
 
 ROOT = Path(__file__).absolute().parent.parent
 
-# For each group of folders: the place of its box, and the words below its name.
-GROUPS = {"tests": (776, 436, "the proofs"),
-          "live": (620, 384, "docs/live"),
-          "bench": (620, 332, "error and time"),
-          "programs": (620, 280, "chapters/*/program"),
-          "library": (470, 384, "joints.h, packages"),
-          "comparison": (470, 332, "all methods"),
-          "joints": (420, 228, "what a user adds"),
-          "contacts": (556, 228, "ground, points"),
-          "direct": (692, 228, "the direct solver"),
-          "reduced": (470, 280, "trees without rows"),
-          "solutions": (335, 280, "the exercises"),
-          "chapters": (450, 176, "texts and parts"),
-          "instruments": (640, 176, "measuring"),
-          "checker": (776, 124, "parts, differences"),
-          "steps": (560, 124, "other ways to step"),
-          "kept": (620, 72, "saving, reactions"),
-          "simd": (420, 72, "engine/simd"),
-          "core": (510, 24, "engine/*: bodies, blocks, step, solvers")}
-WIDE = {"core": 290}
-HIGH, LOW = 42, 34  # boxes of the step and of the groups
+# Each group of folders, and the words below its name.
+GROUPS = {"tests": "the proofs", "live": "docs/live", "library": "joints.h, packages",
+          "bench": "error and time", "comparison": "all methods", "programs": "chapters/*/program",
+          "reduced": "trees without rows", "joints": "what a user adds",
+          "contacts": "ground, points", "direct": "the direct solver",
+          "solutions": "the exercises", "chapters": "texts and parts", "instruments": "measuring",
+          "steps": "other ways to step", "checker": "parts, differences",
+          "kept": "saving, reactions", "simd": "engine/simd",
+          "core": "engine/*: bodies, blocks, step, solvers"}
+ENGINE, EXERCISES = ("core", "kept", "simd", "steps", "instruments"), ("chapters", "solutions")
 
 
-def box(ax, place, size, name, below, colour):
+def box(ax, place, size, name, said, colour, gid=None):
     (x, y), (width, height) = place, size
     ax.add_patch(FancyBboxPatch((x - width / 2, y - height / 2), width, height, facecolor=CARD,
-                                edgecolor=colour, linewidth=1.6, zorder=5,
+                                edgecolor=colour, linewidth=1.8, zorder=5, gid=gid,
                                 boxstyle="round,pad=0,rounding_size=8"))
-    words(ax, (x, y + 6), name, size=10.5, weight="bold")
-    words(ax, (x, y - 8), below, FAINT, size=8)
+    words(ax, (x, y + 7), name, size=11.5, weight="bold")
+    words(ax, (x, y - 8), said, FAINT, size=9)
 
 
 def cycle(ax):
-    """Left: the path of a step."""
-    words(ax, (125, 440), "a step", size=12.5, weight="bold")
-    stations = [("Body", "poses, velocities", 300), ("Joint", "rows of two bodies", 232),
-                ("Block", "rows J, errors C, targets", 164),
-                ("Solver", "computes the impulses", 96)]
-    for k, (name, below, y) in enumerate(stations):
-        box(ax, (125, y), (170, HIGH), name, below, (BODY1, BODY2)[k % 2])
+    """The path of a step."""
+    title(ax, 380, "a step goes round once")
+    stations = (("Body", "poses, velocities"), ("Joint", "rows of two bodies"),
+                ("Block", "rows, errors, targets"), ("Solver", "computes impulses"))
+    for k, (name, said) in enumerate(stations):
+        box(ax, (106 + 183 * k, 286), (150, 48), name, said, (BODY1, BODY2)[k % 2])
         if k:
-            arrow(ax, (125, stations[k - 1][2] - HIGH / 2), (125, y + HIGH / 2), INK, 1.6)
-    ax.plot((125, 125, 24, 24, 38), (96 - HIGH / 2, 46, 46, 300, 300), color=INK, linewidth=1.6)
-    arrow(ax, (32, 300), (40, 300), INK, 1.6)
-    words(ax, (131, 60), "velocities, then poses", FAINT, 7.8, ha="left")
+            arrow(ax, (181 + 183 * (k - 1), 286), (31 + 183 * k, 286), INK)
+    line(ax, (655, 262), (655, 222), INK, "solid", 2.2)
+    line(ax, (655, 222), (106, 222), INK, "solid", 2.2)
+    arrow(ax, (106, 222), (106, 262), INK)
+    below(ax, 380, "new velocities, then new poses", 204)
 
 
-def groups(ax):
-    """Right: the includes between the groups."""
-    words(ax, (300, 440), "includes between folders", size=12.5, weight="bold", ha="left")
-    for name, (x, y, below) in GROUPS.items():
-        box(ax, (x, y), (WIDE.get(name, 128), LOW), name, below, FAINT)
-    for user, used in sorted(layers.direct(layers.includes(ROOT))):
-        (x1, y1, _), (x2, y2, _) = GROUPS[user], GROUPS[used]
-        reach = WIDE.get(used, 128) / 2 - 14
-        end = min(max(x1, x2 - reach), x2 + reach)
-        start = min(max(end, x1 - 50), x1 + 50)
-        arrow(ax, (start, y1 - LOW / 2), (end, y2 + LOW / 2), INK, 1.3)
-        ax.texts[-1].arrow_patch.set_gid(f"{user} includes {used}")
+def levels(ax):
+    """Every group on its level, which is above all that it includes."""
+    title(ax, 340, "a folder includes only what stands below it", 500)
+    for name, level in layers.levels(ROOT).items():
+        row = [other for other in GROUPS if layers.levels(ROOT)[other] == level]
+        place = (360 + 152 * (row.index(name) - (len(row) - 1) / 2), 52 + 52 * level)
+        box(ax, place, (290 if name == "core" else 144, 40), name, GROUPS[name],
+            BODY1 if name in ENGINE else BODY2 if name in EXERCISES else FAINT,
+            f"{name} on level {level}")
+    arrow(ax, (28, 470), (28, 40), ARROW, 3)
+    words(ax, (14, 255), "includes", ARROW, 12, rotation=90)
+    below(ax, 120, "blue: the engine", 482, BODY1)
+    below(ax, 560, "orange: what you write", 482, BODY2)
 
 
 if __name__ == "__main__":
-    drawing.HEIGHT = 462
-    draw(__doc__, "architecture", [cycle, groups], [258], 850)
+    draw(__doc__, "architecture", step=((cycle,), (0, 760, 190, 376)),
+         architecture=((levels,), (0, 690, 20, 522)))

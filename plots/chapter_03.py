@@ -4,7 +4,6 @@
 chapter_03.py --solution DIR [--mine DIR] --out DIR, or --result FILE in place of --out
 """
 import numpy as np
-from matplotlib.ticker import NullLocator
 
 import style
 from style import COLOURS, INK, PALE, label_ends
@@ -61,28 +60,24 @@ def draw_door(solution, mine, out):
 
 
 def draw_limit(solution, mine, out):
-    """How far a cube passes its limit, over the number of iterations."""
-    table = mine or solution
-    blocks = np.asarray(table["blocks"])
-    apart, whole = (np.abs(table["overshoot_deg"][blocks == way]).max() for way in (APART, WHOLE))
+    """How far a falling cube passes its limit, by the number of iterations."""
+    table = style.rows(mine or solution, scene="S4l")
+    past = {way: style.rows(table, blocks=way)["overshoot_deg"] for way in (APART, WHOLE)}
     figure, ax = style.figure(
-        "With blocks apart a cube " + ("stops at" if apart < 0.005 else "passes") + " its limit; "
-        "as a whole joint " + ("it stops there" if whole < 0.005 else f"by {whole:.2f}°, too"))
-    for scene, colour, words in (("S4l", COLOURS[0], "falls into it"),
-                                 ("S4ml", COLOURS[1], "driven by\na motor")):
-        chosen = (np.asarray(table["scene"]) == scene) & (blocks == APART)
-        ax.plot(table["iterations"][chosen], style.visible(table["overshoot_deg"][chosen]),
-                color=colour, marker="o", label=words)
-    ax.set(xscale="log", yscale="log", xlabel="iterations per step", ylabel="past the limit  [°]",
-           title="a cube of 100 kg, blocks apart" + (", yours" if mine else ""))
-    for axis, places in ((ax.xaxis, np.unique(table["iterations"])),
-                         (ax.yaxis, (0.001, 0.01, 0.1, 1, 10))):
-        axis.set_ticks(places)
-        axis.set_minor_locator(NullLocator())
-        style.plain_log(axis)
-    ax.text(0.03, 0.05, f"whole joint: {whole:.2f}° at any number of iterations", fontsize=8.5,
-            color=PALE, transform=ax.transAxes)
-    label_ends(ax)
+        f"A cube that falls onto its limit passes it by {past[APART].max():.1f}° at most with "
+        f"blocks apart, by {past[WHOLE].max():.2f}° as a whole joint")
+    counts = np.unique(table["iterations"])
+    for way, colour, aside in ((APART, COLOURS[0], -0.2), (WHOLE, COLOURS[1], 0.2)):
+        places = np.arange(len(counts)) + aside
+        ax.bar(places, past[way], 0.36, color=colour, label=way)
+        for place, angle in zip(places, past[way]):
+            ax.annotate(f"{angle:.3g}°" if angle > 1e-4 else "0°", (place, max(angle, 0)),
+                        xytext=(0, 3), textcoords="offset points", ha="center", color=colour)
+    ax.set_xticks(range(len(counts)), [f"{count:g}" for count in counts])
+    ax.grid(axis="x", visible=False)
+    ax.legend(frameon=False, labelcolor="linecolor", fontsize=10)
+    ax.set(xlabel="iterations per step", ylabel="past the limit  [°]",
+           title="yours" if mine else "")
     style.save(figure, out / "03_limit")
 
 
@@ -151,25 +146,6 @@ def shade(share):
     return tuple(dark + (light - dark) * share)
 
 
-def draw_sideways(solution, mine, out):
-    table = mine or solution
-    figure, ax = style.figure(
-        f"Gravity across the hinges: with up to {table['iterations'].max():g} iterations the chain "
-        f"leaves its plane by at least {table['sideways_m'].min():.2g} m")
-    for blocks, colour, marker in ((APART, COLOURS[0], "o"), (WHOLE, COLOURS[1], "s")):
-        chosen = np.asarray(table["blocks"]) == blocks
-        ax.plot(table["iterations"][chosen], table["sideways_m"][chosen], color=colour,
-                marker=marker, label=blocks)
-    ax.set_xscale("log")
-    style.plain_log(ax.xaxis)
-    ax.set_ylim(0, 1.15 * table["sideways_m"].max())
-    ax.axhline(0, color=INK, linewidth=1.2)
-    ax.text(0.02, 0.02, "exact: 0 m", color=INK, fontsize=8.5, transform=ax.transAxes)
-    ax.set(xlabel="iterations per step", ylabel="farthest out of the plane in 5 s  [m]")
-    label_ends(ax)
-    style.save(figure, out / "03_sideways")
-
-
 def tables(folder, command):
     return (door(folder, command),
             style.read_csv(folder / "driven.csv", ["iterations", "overshoot_deg"],
@@ -177,12 +153,9 @@ def tables(folder, command):
             style.read_csv(folder / "motor.csv", ["solves", "time_s", "speed_rad_s"], ["clamped"],
                            command),
             style.read_csv(folder / "curl.csv", ["time_s", "joint", "angle_deg", "motor_nm"], (),
-                           command),
-            style.read_csv(folder / "sideways.csv", ["iterations", "sideways_m"], ["blocks"],
                            command))
 
 
 if __name__ == "__main__":
     style.run(lambda: style.chapter(
-        3, tables, (draw_door, draw_limit, draw_motor, draw_curl, draw_sideways),
-        result=draw_limit))
+        3, tables, (draw_door, draw_limit, draw_motor, draw_curl), result=draw_limit))

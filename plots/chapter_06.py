@@ -228,29 +228,19 @@ def draw_rods(table, _, out):
     finish(figure, out / "06_rods", left, right)
 
 
-def draw_between(tables, _, out):
-    table, rate = tables
+def draw_between(table, _, out):
     few = np.isin(table["method"], ("beta 0.05", "beta 0.2", "beta 1", "projection"))
     table = style.peaks({name: np.asarray(column)[few] for name, column in table.items()}, "method")
-    calm = [(np.max(part["speed_m_s"][part["time_s"] > part["time_s"].max() - 1]), name)
+    calm = [(np.max(part["speed_m_s"][part["time_s"] > table["time_s"].max() - 1]), name)
             for name, part, _, _ in parts(table, "method")]
-    figure, (left, right) = style.figure(
+    figure, ax = style.figure(
         f"Kicked between two walls, a straight chain still moves at {max(calm)[0]:.1f} m/s in the "
-        f"last second with {max(calm)[1]}, at {min(calm)[0]:.2f} m/s with {min(calm)[1]}", 2)
-    over_time(left, table, None, "speed_m_s", "method")
-    left.set(ylabel="fastest link  [m/s]", title="three blows, then none")
-    right.plot(rate["bend_rad"], 100 * rate["rho"], color=COLOURS[1], marker="o")
-    stuck = rate["rank"] < rate["rank"].max()
-    for bend, rho, rank in zip(*(rate[name][stuck] for name in ("bend_rad", "rho", "rank"))):
-        right.annotate(f"straight: {100 * rho:.0f} %, for only\n{rank:g} of "
-                       f"{rate['rank'].max():g} rows are independent", (bend, 100 * rho),
-                       fontsize=8.5, color=COLOURS[0], xytext=(0.05, 0.42), va="center",
-                       textcoords="axes fraction", arrowprops={
-                           "arrowstyle": "-", "color": COLOURS[0], "linewidth": 0.8})
-    right.set(xlabel="bend of the links  [rad]", ylim=(0, 108),
-              ylabel="error after an iteration, of that before  [%]",
-              title="the reason: slow iterations")
-    finish(figure, out / "06_between", left)
+        f"last second with {max(calm)[1]}, at {min(calm)[0]:.2f} m/s with {min(calm)[1]}")
+    over_time(ax, table, None, "speed_m_s", "method")
+    ax.axvspan(0, 2.9, color=PALE, alpha=0.12, linewidth=0)
+    ax.text(0.1, 0.96, "three blows", transform=ax.get_xaxis_transform(), va="top", color=PALE)
+    ax.set(ylabel="fastest link  [m/s]", xlim=(0, table["time_s"].max()), ylim=(0, None))
+    finish(figure, out / "06_between", ax)
 
 
 def draw_side_by_side(table, _, out):
@@ -306,8 +296,7 @@ def tables(folder, command):
             read("beta", "beta predicted measured", "scene"),
             (hanging, read("warm", "links kept safe warm_sag_m cold_sag_m predicted_cold_sag_m")),
             read("rods", "iterations peak_speed_m_s gap_max_m", "method"),
-            (read("between", "time_s gap_max_m speed_m_s", "method"),
-             read("between_rate", "bend_rad rho rank")),
+            read("between", "time_s gap_max_m speed_m_s", "method"),
             read("side_by_side", "iterations gap_rms_m energy_drift", "method"),
             read("budget", "substeps iterations gap_rms_m gap_max_m energy_drift", "method"),
             read("rope", "time_s length_m speed_m_s", "method"))

@@ -7,8 +7,8 @@ import numpy as np
 
 import style
 from chapter_06 import FORMULA, counts, metres, whose
-from machines import NAMES, draw_machines, draw_ragdoll, draw_wheels, over_time, parts
-from style import COLOURS, INK, rows, visible
+from machines import NAMES, draw_ragdoll, draw_wheels, over_time, parts
+from style import COLOURS, INK, rows
 
 # ---- one body ----------------------------------------------------------------------------------
 
@@ -139,38 +139,32 @@ def draw_bounce(solution, mine, out):
 
 # ---- joints and contacts -----------------------------------------------------------------------
 
-def draw_order(solution, mine, out):
-    table, ends = mine or solution
-    count = 30 if 30 in ends["iterations"] else ends["iterations"].max()
+def draw_order(solution, ends, out):
+    """What draw_result shows, over the iterations, for the whole run."""
+    given = ends or solution
+    most = given["iterations"].max()
 
     def end(order, column):
-        return rows(ends, order=order, iterations=count)[column][0]
+        return metres(rows(given, order=order, iterations=most)[column][0])
     figure, axes = style.figure(
-        f"Joints first leaves gaps of {metres(end('joints first', 'gap_rms_m'))}, contacts first "
-        f"corners {metres(end('contacts first', 'penetration_max_m'))} deep; one loop over both "
-        f"{metres(end('interleaved', 'gap_rms_m'))} and "
-        f"{metres(end('interleaved', 'penetration_max_m'))}", 2, 2)
-    for ax, column, words in zip(axes[0], ("gap_m", "penetration_m"),
-                                 ("widest gap of a joint  [m]", "deepest corner  [m]")):
-        given = solution[0] if mine else table
-        over_time(ax, rows(given, iterations=count), mine and rows(table, iterations=count),
-                  column, "order", visible)
-        ax.set(yscale="log", ylabel=words, ylim=(1e-6, None),
-               title=f"{count:g} iterations per step" + whose(mine))
-    for ax, column, words in zip(axes[1], ("gap_rms_m", "penetration_max_m"),
-                                 ("gaps, RMS of the whole run  [m]", "deepest of the run  [m]")):
-        for name, part, colour, marker in parts(ends, "order"):
-            ax.plot(part["iterations"], visible(part[column]), color=colour, marker=marker,
-                    markersize=5, label=name)
-        if mine:
-            for _, part, _, _ in parts(solution[1], "order"):
-                ax.plot(part["iterations"], visible(part[column]), label="_", **FORMULA)
-        ax.set(yscale="log", ylabel=words)
-        counts(ax, ends)
-    axes[1][0].set_title("the same by iterations" + ("; dashed: the solution's" if mine else ""))
-    axes[1][1].set_title("the same by iterations")
-    for ax in axes.ravel():
+        f"{most:g} iterations do not help: joints first leaves gaps of "
+        f"{end('joints first', 'gap_rms_m')}, contacts first corners "
+        f"{end('contacts first', 'penetration_max_m')} deep", 2)
+    for ax, column, words in zip(axes, ("gap_rms_m", "penetration_max_m"),
+                                 ("gap of the joints, RMS  [mm]", "deepest corner  [mm]")):
+        for name, part, colour, marker in parts(given, "order"):
+            if name != "no ground":
+                ax.plot(part["iterations"], 1000 * part[column], color=colour, marker=marker,
+                        markersize=5, label=NAMES[name])
+        if ends:
+            for name, part, _, _ in parts(solution, "order"):
+                if name != "no ground":
+                    ax.plot(part["iterations"], 1000 * part[column], label="_", **FORMULA)
+            style.hold(ax, 1000 * ends[column], 1000 * solution[column])
+        ax.set(ylabel=words, ylim=(0, None))
+        counts(ax, given)
         style.label_ends(ax)
+    axes[0].set_title("a chain lands" + whose(ends))
     style.save(figure, out / "08_order")
 
 
@@ -187,12 +181,12 @@ def draw_result(solution, mine, out):
         f"{most['contacts first', 'penetration_m']:.0f} mm deep. One loop: neither", 2)
     for ax, column, words in zip(axes, ("gap_m", "penetration_m"), (
             "widest gap of a joint  [mm]", "deepest corner  [mm]")):
-        for n, name in enumerate(("interleaved", "joints first", "contacts first")):
-            part = rows({key: np.asarray(column)[shown] for key, column in table.items()},
-                        order=name)
-            ax.plot(part["time_s"], np.round(1000 * part[column], 2), color=COLOURS[n],
-                    linestyle=("-", "-", (0, (4, 2)))[n], zorder=3 - n,
-                    label=("one loop", "joints\nfirst", "contacts\nfirst")[n])
+        for n, (name, part, colour, _) in enumerate(parts(
+                {key: np.asarray(column)[shown] for key, column in table.items()}, "order")):
+            if name != "no ground":
+                ax.plot(part["time_s"], np.round(1000 * part[column], 2), color=colour,
+                        linestyle=(0, (4, 2)) if name == "contacts first" else "-", zorder=3 - n,
+                        label=NAMES[name])
         ax.set(xlabel="time  [s]", ylabel=words, xlim=(0, 2.5), ylim=(-1, 65),
                xticks=(0, 1, 2), yticks=(0, 20, 40, 60))
         style.label_ends(ax)
@@ -230,11 +224,8 @@ def tables(folder, command):
             read("tilt", "mu angle_deg way_m"),
             (read("bounce", "restitution drop_m rebound_m expected_m"),
              read("bounce_path", "restitution time_s height_m")),
-            (read("order", "iterations time_s gap_m penetration_m", "order"),
-             read("order_summary", "iterations gap_rms_m gap_max_m penetration_max_m", "order")),
+            read("order_summary", "iterations gap_rms_m gap_max_m penetration_max_m", "order"),
             read("drift", "time_s gap_m predicted_m touching", "scene"),
-            read("machines", "iterations gap_rms_m gap_max_m penetration_max_m energy_drift",
-                 "machine"),
             read("wheels", "time_s place_m turned_rad rolled_m motor_nm gap_m"),
             read("ragdoll", "time_s fastest_m_s fastest_rad_s gap_m penetration_m"),
             read("order", "iterations time_s gap_m penetration_m", "order"))
@@ -242,5 +233,5 @@ def tables(folder, command):
 
 if __name__ == "__main__":
     style.run(lambda: style.chapter(8, tables, (
-        draw_rest, draw_friction, draw_slope, draw_bounce, draw_order, draw_drift, draw_machines,
+        draw_rest, draw_friction, draw_slope, draw_bounce, draw_order, draw_drift,
         draw_wheels, draw_ragdoll, draw_result), result=draw_result))

@@ -157,41 +157,25 @@ def draw_time(tables, _, out):
 
 # ---- bounds ------------------------------------------------------------------------------------
 
-def draw_bounds(tables, _, out):
-    motor, limits = tables
-    wrong = limits["steps_with_wrong"].sum()
-    figure, (left, right) = style.figure(
-        f"A motor of {motor['motor_nm'][-1]:.3g} N m presses the bar against its limit, "
-        f"{motor['angle_rad'][-1]:.6f} rad; {wrong:.0f} of {limits['steps'].sum():.0f} steps of "
-        f"chains with limits {'ends' if wrong == 1 else 'end'} with a row wrong", 2)
-    for column, words, colour in (("motor_nm", "motor\n[N m]", COLOURS[1]),
-                                  ("limit_nm", "limit\n[N m]", COLOURS[0])):
-        left.plot(motor["time_s"], motor[column], color=colour, label=words)
-    left.plot(motor["time_s"], 10 * motor["angle_rad"], color=INK, label="angle\n[0.1 rad]")
-    left.set(xlabel="time  [s]", ylabel="torque  [N m],  angle  [0.1 rad]", ylim=(-40, 30),
-             title="motor against limit")
+def draw_bounds(motor, _, out):
+    figure, (above, below) = style.figure(
+        f"At the limit a motor of {motor['motor_nm'][-1]:.3g} N m is answered with "
+        f"{motor['limit_nm'][-1]:.3g} N m", rows=2, sharex=True)
+    figure.set_size_inches(style.WIDTH, style.HEIGHT)
+    above.plot(motor["time_s"], motor["angle_rad"], color=INK, label="angle")
+    above.axhline(motor["angle_rad"].max(), color=PALE, linewidth=0.8, dashes=(4, 2))
+    above.text(0, motor["angle_rad"].max() * 1.03, "limit", color=PALE, fontsize=8.5)
+    above.set(ylabel="angle  [rad]", ylim=(0, 1.25 * motor["angle_rad"].max()))
+    for column, words, colour in (("motor_nm", "motor", COLOURS[1]),
+                                  ("limit_nm", "limit", COLOURS[0])):
+        below.plot(motor["time_s"], motor[column], color=colour, label=words)
     hit = np.argmin(motor["limit_nm"])
-    left.text(motor["time_s"][hit] - 0.05, -38,
-              f"the blow:\n{motor['limit_nm'][hit]:.0f} N m", fontsize=8, color=COLOURS[0],
-              ha="right")
-    for column, words, marker, colour in (("passes_max", "most in\na step", "^", COLOURS[0]),
-                                          ("passes_mean", "mean", "o", COLOURS[1])):
-        right.plot(limits["hinges"], limits[column], color=colour, marker=marker, label=words)
-    for x, y, wrong, steps in zip(limits["hinges"], limits["passes_max"],
-                                  limits["steps_with_wrong"], limits["steps"]):
-        if wrong:
-            right.annotate(f"{wrong:.0f} of {steps:.0f} steps\nends wrong", (x, y), xytext=(-8, 0),
-                           ha="right", va="center", textcoords="offset points", fontsize=8,
-                           color=COLOURS[0])
-    right.set(xscale="log", yscale="log", xlabel="hinges of a chain, each with limits",
-              ylabel="passes per step", ylim=(0.8, 1.5 * limits["passes_max"].max()),
-              xlim=(4, 90), title="chains with limits")
-    for axis, ticks in ((right.xaxis, limits["hinges"]), (right.yaxis, (1, 3, 10, 30, 100))):
-        axis.set_ticks(ticks)
-        axis.set_ticks([], minor=True)
-        axis.set_major_formatter(lambda value, _: f"{value:g}")
-    style.label_ends(left)
-    style.label_ends(right)
+    below.annotate(f"the bar hits it: {motor['limit_nm'][hit]:.0f} N m", fontsize=8.5,
+                   xy=(motor["time_s"][hit], -38), xytext=(-8, 0), textcoords="offset points",
+                   color=COLOURS[0], ha="right", va="center")
+    below.set(xlabel="time  [s]", ylabel="torque  [N m]", ylim=(-45, 30))
+    for ax in (above, below):
+        style.label_ends(ax)
     style.save(figure, out / "09_bounds")
 
 
@@ -236,8 +220,7 @@ def tables(folder, command):
              read("four_bars", "time_s height_m gap_m energy", "method"),
              read("gap_over_h", "h_s gap_m", "positions"),
              read("newton", "h_s iteration error", "scene")),
-            (read("motor", "time_s angle_rad motor_nm limit_nm passes"),
-             read("limits", "hinges passes_mean passes_max steps steps_with_wrong")),
+            read("motor", "time_s angle_rad motor_nm limit_nm passes"),
             (read("heavy", "factor ratio gap_m energy_change_2s tip_error_1s_m"),
              read("heavy_energy", "factor h_s time_s energy_change")),
             (read("sideways", "time_s sideways_m gap_m", "method"),

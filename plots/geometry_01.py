@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Chapter 1's drawings: the rod and its error; an impulse pair, and a rope's sum of impulses.
 
-    python3 plots/geometry_01.py geometry.svg
-    python3 plots/geometry_01.py impulses.svg
+    python3 plots/geometry_01.py geometry.svg|impulses.svg
 """
 import math
 
-from drawing import ARROW, BODY1, BODY2, CARD, FAINT, INK, arrow, body, dot, draw, words
+from drawing import (ARROW, BODY1, BODY2, CARD, FAINT, INK, arrow, below, body, dot, draw, line,
+                     measure, title, words)
 from matplotlib.patches import Circle, Rectangle
 
 
@@ -23,29 +23,11 @@ def toward(start, end):
     return (x / size, y / size), size
 
 
-def line(ax, start, end, colour, width, style="-", layer=2):
-    ax.plot([start[0], end[0]], [start[1], end[1]], color=colour, linewidth=width, linestyle=style,
-            solid_capstyle="butt", zorder=layer)
-
-
-def measure(ax, start, end, colour, width=1.4):
-    """A line with a tick at both ends."""
-    direction, size = toward(start, end)
-    line(ax, start, end, colour, width)
-    for distance in (0, size):
-        line(ax, along(start, direction, distance, -6), along(start, direction, distance, 6),
-             colour, 1.2)
-
-
 def ball(ax, centre, radius, colour):
     ax.add_patch(Circle(centre, radius, facecolor=CARD, edgecolor="none", zorder=2.5))
     ax.add_patch(Circle(centre, radius, facecolor=colour + "26", edgecolor=colour, linewidth=2,
                         zorder=3))
     dot(ax, centre, colour)
-
-
-def title(ax, x, text):
-    words(ax, (x, 352), text, size=12.5, weight="bold")
 
 
 # ---- geometry.svg --------------------------------------------------------------------------------
@@ -57,7 +39,7 @@ def centre_to_centre(ax):
     slant = {"rotation": math.degrees(math.atan2(n[1], n[0])), "rotation_mode": "anchor"}
     title(ax, 172, "from centre to centre")
 
-    line(ax, x1, x2, FAINT, 5, layer=1)
+    line(ax, x1, x2, FAINT, "solid", 5, 1)
     ball(ax, x1, 28, BODY1)
     ball(ax, x2, 28, BODY2)
     words(ax, (x1[0] - 62, x1[1] - 20), "body 1", BODY1, 12)
@@ -75,11 +57,11 @@ def centre_to_centre(ax):
 
     near, far = 45, 82  # how far aside the two measures stand
     for place in (x1, x2):
-        line(ax, along(place, n, 0, 30), along(place, n, 0, far + 8), FAINT, 0.8, (0, (3, 3)))
+        line(ax, along(place, n, 0, 30), along(place, n, 0, far + 8), FAINT, (0, (3, 3)), 0.8)
     end = along(x1, n, 1.5 * metre, near)
-    measure(ax, along(x1, n, 0, near), end, INK)
-    measure(ax, end, along(x2, n, 0, near), INK, 4)
-    measure(ax, along(x1, n, 0, far), along(x2, n, 0, far), INK)
+    measure(ax, along(x1, n, 0, near), end)
+    measure(ax, end, along(x2, n, 0, near), width=4)
+    measure(ax, along(x1, n, 0, far), along(x2, n, 0, far))
     words(ax, along(x1, n, 0.75 * metre, near + 14), "$d$", INK, 13, **slant)
     words(ax, along(x1, n, 1.75 * metre, near + 16), "$C$", INK, 14, **slant)
     words(ax, along(x1, n, metre, far + 15), "$|x_2 - x_1|$", INK, 13, **slant)
@@ -121,7 +103,7 @@ def pair(ax):
     """Left: one impulse and its opposite, and how much of K each body is."""
     title(ax, 176, "one impulse: which body yields?")
     x1, x2, size = (110, 262), (242, 262), 62
-    line(ax, x1, x2, FAINT, 5, layer=1)
+    line(ax, x1, x2, FAINT, "solid", 5, 1)
     ball(ax, x1, 24, BODY1)
     ball(ax, x2, 29, BODY2)
     arrow(ax, x1, (x1[0] - size, x1[1]), width=3)
@@ -138,9 +120,9 @@ def pair(ax):
         ax.add_patch(Rectangle((left + one * start, foot), one * share, height,
                                facecolor=colour + "26", edgecolor=colour, linewidth=2, zorder=3))
         words(ax, (left + one * (start + share / 2), foot + height / 2), text, colour, 12)
-    measure(ax, (left, foot - 20), (left + one * 5 / 6, foot - 20), INK)
+    measure(ax, (left, foot - 20), (left + one * 5 / 6, foot - 20))
     words(ax, (left + one * 5 / 12, foot - 40), "$K = 5/6$ per kg", INK, 13)
-    words(ax, (176, 32), "the lighter body yields more", FAINT, 11)
+    below(ax, 176, "the lighter body yields more")
 
 
 def staircase(ax, place, sums, colour, width, dashes="-"):
@@ -164,7 +146,7 @@ def rope_sum(ax):
                            edgecolor="none"))
     words(ax, place(1.4, -1.3), "a rope does not push", FAINT, 11)
     arrow(ax, place(0, -2.6), place(0, 6.4), FAINT, 1.2)
-    line(ax, place(0, 0), place(4.5, 0), FAINT, 1.2)
+    line(ax, place(0, 0), place(4.5, 0), FAINT, "solid", 1.2)
     for value in (0, 2, 5):
         words(ax, (place(0, 0)[0] - 14, place(0, value)[1]), str(value), INK, 11)
     words(ax, place(0.1, 6.3), "sum of its impulses [N s]", INK, 11, ha="left")
@@ -183,5 +165,6 @@ def rope_sum(ax):
 
 
 if __name__ == "__main__":
-    draw(__doc__, "geometry_01", (centre_to_centre, anchor_to_anchor), (350,),
-         more={"impulses": ((pair, rope_sum), (365,))})
+    draw(__doc__, "geometry_01",
+         geometry=((centre_to_centre, anchor_to_anchor), (0, 700, 0, 380), 350),
+         impulses=((pair, rope_sum), (0, 700, 0, 380), 365))

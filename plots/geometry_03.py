@@ -1,24 +1,13 @@
 #!/usr/bin/env python3
-"""Chapter 3's drawings, one of three by the name of OUT.svg:
+"""Chapter 3's drawings: a door and its limits (geometry), the shadow of an axis (shadow), the
+vector of the angle's rate (rate), a twist and a swing (twist), what a motor gives (couple).
 
-    python3 plots/geometry_03.py OUT.svg
-
-geometry: the shadow of an axis, the vector of the angle's rate, a door's limits; twist: a rotation
-as a twist and a swing; couple: what a motor gives to both bodies.
+    python3 plots/geometry_03.py geometry.svg|shadow.svg|rate.svg|twist.svg|couple.svg
 """
 import numpy as np
-from drawing import ARROW, BODY1, BODY2, CARD, FAINT, INK, arrow, draw, named, words
-from matplotlib.patches import Arc, Ellipse, FancyBboxPatch, Polygon, Wedge
-from matplotlib.transforms import Affine2D
-
-
-def line(ax, start, end, colour=FAINT, dashes=(0, (2, 2)), width=1.1):
-    ax.plot(*zip(start, end), color=colour, linewidth=width, linestyle=dashes, zorder=3)
-
-
-def at_angle(centre, radius, degrees):
-    angle = np.radians(degrees)
-    return np.asarray(centre) + radius * np.array([np.cos(angle), np.sin(angle)])
+from drawing import (ARROW, BODY1, BODY2, CARD, FAINT, INK, arrow, below, body, direction, dot,
+                     draw, line, named, title, turn, words)
+from matplotlib.patches import Arc, Circle, Ellipse, Polygon, Wedge
 
 
 def from_above(right, away, up):
@@ -26,41 +15,60 @@ def from_above(right, away, up):
     return np.array([right, 0.5 * away + 0.87 * up])
 
 
+def door(ax):
+    """A door from above, with its angle x, its two limits and the gap to the nearer one."""
+    title(ax, 250, "a hinge leaves one angle, between two limits")
+    pin, length, x, upper = np.array([206.0, 92.0]), 176.0, 52.0, 110.0
+    ax.add_patch(Wedge(pin, length, 0, upper, facecolor=BODY2 + "12", edgecolor="none", zorder=1))
+    body(ax, pin - (60, 0), (120, 44), 0, BODY1, rounding=4)
+    for degrees in (0, upper):
+        line(ax, pin, pin + (length + 14) * direction(degrees), INK, (0, (4, 3)), 1.4)
+    body(ax, pin + length / 2 * direction(x), (length, 15), x, BODY2, rounding=6)
+    turn(ax, pin, 84, 0, x - 9, BODY2)
+    turn(ax, pin, 126, x + 6, upper - 6, INK)
+    dot(ax, pin, INK, 10)
+    words(ax, pin + 124 * direction(24), "angle $x$", BODY2)
+    words(ax, pin + 142 * direction(83), "gap $C$", INK)
+    words(ax, pin - (60, 0), "body 1", BODY1, 12)
+    words(ax, pin + (length + 16) * direction(x) + (22, 0), "body 2", BODY2, 12)
+    words(ax, pin + (length + 20, 0), "lower limit", INK, 12, ha="left")
+    words(ax, pin + (length + 30) * direction(upper) + (-16, 2), "upper limit", INK, 12)
+    below(ax, 250, "$C$: how far it can still turn")
+
+
 def shadow(ax):
-    """Left: a1 above the plane of b and c, and its shadow there, which is C."""
-    words(ax, (142, 350), "the error: a shadow", size=12.5, weight="bold")
-    middle, length = np.array([134.0, 156.0]), 112.0
+    """a1 above the plane of b and c, and its shadow there, which is C."""
+    title(ax, 220, "the error of a hinge: the shadow of $a_1$")
+    middle, size = np.array([200.0, 136.0]), 140.0
 
     def place(b, c, up):  # body 2's axis points up
-        return middle + length * from_above(0.9 * c - 0.44 * b, -0.9 * b - 0.44 * c, up)
+        return middle + size * from_above(0.9 * c - 0.44 * b, -0.9 * b - 0.44 * c, up)
 
-    ax.add_patch(Ellipse(middle, 2 * length, length, facecolor=BODY2 + "1c",
+    ax.add_patch(Ellipse(middle, 2 * size, size, facecolor=BODY2 + "1c",
                          edgecolor=BODY2, linewidth=1.5))
-    C_b, C_c = 0.35, 0.6
+    C_b, C_c = 0.3, 0.62
     up = np.sqrt(1 - C_b ** 2 - C_c ** 2)
-    tip, foot = place(C_b, C_c, up), place(C_b, C_c, 0)
-    for end in ((1, 0, 0), (0, 1, 0), (0, 0, 1)):
-        arrow(ax, middle, place(*end), BODY2)
-    line(ax, tip, foot)
-    line(ax, foot, place(C_b, 0, 0))
-    line(ax, foot, place(0, C_c, 0))
-    arrow(ax, middle, foot, INK, 3)
+    for end, name, aside in (((1, 0, 0), "$b$", (-14, -4)), ((0, 1, 0), "$c$", (15, -4)),
+                             ((0, 0, 1), "$a_2$", (-16, 2))):
+        arrow(ax, middle, place(*end), BODY2, 1.6 if aside[1] < 0 else 2.6)
+        words(ax, place(*end) + aside, name, BODY2)
+    for share in (0.4, 0.7, 1):
+        tip, foot = place(share * C_b, share * C_c, share * up), place(share * C_b, share * C_c, 0)
+        line(ax, (tip[0], 290), foot, named("orange"), "solid", 1.4)
+        arrow(ax, (tip[0], 290), (tip[0], 262), named("orange"), 1.4)
+    arrow(ax, middle, foot, INK, 4)
     arrow(ax, middle, tip, BODY1, 2.6)
-    words(ax, place(0, 0, 1) + (-15, -4), "$a_2$", BODY2)
-    words(ax, place(1, 0, 0) + (-14, -4), "$b$", BODY2)
-    words(ax, place(0, 1, 0) + (15, -4), "$c$", BODY2)
-    words(ax, tip + (14, 8), "$a_1$", BODY1)
-    words(ax, foot + (4, -15), "$C$", INK, 15)
-    words(ax, place(C_b, 0, 0) + (-25, 5), "$a_1\\cdot b$", INK, 11)
-    words(ax, place(0, C_c, 0) + (10, 13), "$a_1\\cdot c$", INK, 11)
-    words(ax, (142, 32), "$b$, $c$ and $a_2$ ride on body 2", FAINT, 11)
+    words(ax, tip + (18, -2), "$a_1$", BODY1)
+    words(ax, (tip[0] + 12, 284), "light along $a_2$", named("fifth"), 12, ha="left")
+    words(ax, foot + (8, -13), "$C$", INK, 16)
+    below(ax, 220, "no shadow: the axes $a_1$ and $a_2$ are aligned", 36)
 
 
 def rate(ax):
-    """Middle: g lies between the axes and has the component 1 along both."""
-    words(ax, (420, 350), "the angle's rate: $g$", size=12.5, weight="bold")
-    root, length, half = np.array([420.0, 92.0]), 165.0, 32.0
-    tip1, tip2 = at_angle(root, length, 90 + half), at_angle(root, length, 90 - half)
+    """g lies between the axes and has the component 1 along both."""
+    title(ax, 220, "$g$: between the axes, 1 long along either")
+    root, length, half = np.array([220.0, 80.0]), 190.0, 32.0
+    tip1, tip2 = (root + length * direction(90 + sign * half) for sign in (1, -1))
     tip = root + (0, length / np.cos(np.radians(half)))
     ax.add_patch(Arc(root, 2 * length, 2 * length, theta1=48, theta2=132, color=FAINT,
                      linewidth=1, linestyle=(0, (2, 2)), zorder=2))
@@ -74,126 +82,83 @@ def rate(ax):
     arrow(ax, root, tip, ARROW, 3)
     words(ax, tip1 + (-16, 4), "$a_1$", BODY1)
     words(ax, tip2 + (17, 4), "$a_2$", BODY2)
-    words(ax, tip + (0, 17), "$g$", ARROW, 15)
-    words(ax, (338, 160), "length 1", BODY1, 11)
-    words(ax, (503, 160), "length 1", BODY2, 11)
-    words(ax, (420, 32), "on either axis its shadow is 1 long", FAINT, 11)
+    words(ax, tip + (14, 8), "$g$", ARROW, 16)
+    words(ax, root + (-92, 70), "length 1", BODY1, 12)
+    words(ax, root + (92, 70), "length 1", BODY2, 12)
+    below(ax, 220, "$a_1$, $a_2$: the axes of the two bodies, here far from aligned", 44)
 
 
-def door(ax):
-    """Right: a door from above, with its angle x, its two limits and the gap to the nearer one."""
-    words(ax, (698, 350), "limits", size=12.5, weight="bold")
-    pin, length, x, upper = np.array([640.0, 118.0]), 132.0, 58.0, 110.0
-    ax.add_patch(Wedge(pin, length, 0, upper, facecolor=BODY2 + "12", edgecolor="none", zorder=1))
-    ax.add_patch(Polygon([(586, 100), (640, 100), (640, 136), (586, 136)], facecolor=BODY1 + "26",
-                         edgecolor=BODY1, linewidth=2))
-    for degrees in (0, upper):
-        line(ax, pin, at_angle(pin, length + 14, degrees), INK, (0, (4, 3)), 1.4)
-    leaf = FancyBboxPatch((0, -6), length, 12, boxstyle="round,pad=0,rounding_size=5",
-                          facecolor=named("leaf"), edgecolor=BODY2, linewidth=2, zorder=4)
-    leaf.set_transform(Affine2D().rotate_deg(x).translate(*pin) + ax.transData)
-    ax.add_patch(leaf)
-    for start, end, radius, colour in ((0, x - 8, 64, BODY2), (x + 7, upper - 4, 92, INK)):
-        ax.add_patch(Arc(pin, 2 * radius, 2 * radius, theta1=start, theta2=end, color=colour,
-                         linewidth=2, zorder=4))
-        last, before = at_angle(pin, radius, end + 4), at_angle(pin, radius, end - 3)
-        arrow(ax, before, last, colour, 2)
-    ax.plot(*pin, "o", color=INK, markersize=9, markeredgecolor=CARD, zorder=7)
-    words(ax, at_angle(pin, 84, 26), "$x$", BODY2, 15)
-    words(ax, at_angle(pin, 108, 86), "$C$", INK, 15)
-    words(ax, (596, 86), "body 1", BODY1, 12)
-    words(ax, at_angle(pin, length + 30, 58) + (6, 0), "body 2", BODY2, 12)
-    words(ax, (762, 100), "lower", INK, 11)
-    words(ax, (590, 268), "upper", INK, 11)
-    words(ax, (698, 32), "$C$ is the remaining gap", FAINT, 11)
+THETA, ALPHA = 78, 24  # of the twist and of the swing [degrees]
 
 
-SWING_AXIS = np.array([0.57, -0.82, 0]) / np.hypot(0.57, 0.82)  # right, away, up
-THETA, ALPHA = np.radians(75), np.radians(32)
+def leaf(angle, tip=0):
+    """place(out, up): points of a door that is open by an angle, its axis tipped in the page."""
+    def place(out, up):
+        right, away, high = (out * np.cos(np.radians(angle)), out * np.sin(np.radians(angle)), up)
+        c, s = np.cos(np.radians(tip)), np.sin(np.radians(tip))
+        return 150 * from_above(c * right - s * high, away, s * right + c * high)
+    return place
 
 
-def rotated(vector, axis, angle):
-    """A vector, rotated about a unit vector."""
-    along = axis * np.dot(axis, vector)
-    return (along + (vector - along) * np.cos(angle)
-            + np.cross(axis, vector) * np.sin(angle))
+def leaves(ax, foot, before, after, axis):
+    """A door before, dashed, and after; with the axis that it has now."""
+    corners = ((0, 0.1), (0.8, 0.1), (0.8, 1.1), (0, 1.1))
+    for place, look in ((before, {"facecolor": "none", "linestyle": (0, (4, 3)), "linewidth": 1.3}),
+                        (after, {"facecolor": BODY2 + "40", "linewidth": 2})):
+        ax.add_patch(Polygon([foot + place(*corner) for corner in corners], edgecolor=BODY2,
+                             zorder=2, **look))
+    arrow(ax, foot + after(0, -0.08), foot + after(0, 1.42), *axis)
+    dot(ax, foot + after(0, -0.08), INK)
 
 
-def body_with_axis(ax, middle, swing, twist, colour, name):
-    """A disc across its axis, with a mark on it, after a twist and then a swing."""
-    def place(vector):
-        return middle + 105.0 * from_above(*rotated(vector, SWING_AXIS, swing))
-
-    def rim(angle):
-        return 0.85 * np.array([np.cos(angle), np.sin(angle), 0])
-
-    ax.add_patch(Polygon([place(rim(angle)) for angle in np.linspace(0, 2 * np.pi, 73)],
-                         facecolor=colour + "1c", edgecolor=colour, linewidth=1.5, zorder=2))
-    start = np.radians(-60)
-    arrow(ax, place(np.zeros(3)), place(np.array([0, 0, 1.25])), colour, 2.6)
-    line(ax, place(np.zeros(3)), place(rim(start + twist)), colour, "solid", 2.6)
-    words(ax, place(np.array([0, 0, 1.36])), name, colour, 14)
-    return lambda angle, radius: place(radius * rim(start + angle))
-
-
-def curved(ax, points, colour):
+def bent(ax, points, colour):
     """A curve with a head at its end."""
     ax.plot(*np.array(points).T, color=colour, linewidth=2, zorder=4)
     arrow(ax, points[-2], points[-1] + 3 * (points[-1] - points[-2]), colour, 2)
 
 
 def twist(ax):
-    """Left: a rotation about the axis, which stays."""
-    words(ax, (150, 350), "first the twist", size=12.5, weight="bold")
-    middle = np.array([150.0, 140.0])
-    on_rim = body_with_axis(ax, middle, 0, THETA, BODY2, "$a_1$")
-    line(ax, middle, on_rim(0, 1))
-    curved(ax, [on_rim(angle, 0.72) for angle in np.linspace(0.06, THETA - 0.22, 30)], INK)
-    words(ax, on_rim(0.5 * THETA, 0.42), "$\\theta$", INK, 14)
-    words(ax, (150, 32), "by $\\theta$ about the axis, which stays", FAINT, 11)
+    """Left: a door opens about its axis, which stays."""
+    title(ax, 165, "first the twist: it opens by $\\theta$")
+    foot = np.array([110.0, 110.0])
+    leaves(ax, foot, leaf(-12), leaf(THETA - 12), (BODY1, 3))
+    bent(ax, [foot + leaf(angle)(0.8, 0.1) for angle in np.linspace(-10, THETA - 24, 30)], INK)
+    words(ax, foot + leaf(THETA / 2 - 12)(0.8, 0.1) + (34, -14), "$\\theta$", INK, 16)
+    words(ax, foot + leaf(0)(0, 1.5) + (-2, 4), "$a_1$", BODY1, 14)
+    below(ax, 165, "its axis stays where it is")
 
 
 def swing(ax):
-    """Right: the shortest rotation that tips the axis."""
-    words(ax, (450, 350), "then the swing", size=12.5, weight="bold")
-    middle = np.array([450.0, 140.0])
-    body_with_axis(ax, middle, ALPHA, THETA, BODY2, "$a_2$")
-
-    def place(vector):
-        return middle + 105.0 * from_above(*vector)
-
-    up = np.array([0, 0, 1.25])
-    arrow(ax, middle, place(up), FAINT, 1.6, dashed=True)
-    words(ax, place(1.1 * up) + (4, 0), "$a_1$", FAINT, 14)
-    curved(ax, [place(0.85 * rotated(up, SWING_AXIS, angle))
-                for angle in np.linspace(0.02, ALPHA - 0.1, 30)], INK)
-    words(ax, place(0.66 * rotated(up, SWING_AXIS, 0.5 * ALPHA)), "$\\alpha$", INK, 14)
-    arrow(ax, middle, place(1.3 * SWING_AXIS), ARROW, 2.2)
-    words(ax, place(1.46 * SWING_AXIS), "$n$", ARROW, 14)
-    words(ax, (450, 32), "by $\\alpha$ about $n$, at right angles to both", FAINT, 11)
+    """Right: the axis is tipped, and the door with it."""
+    title(ax, 495, "then the swing: its axis tips by $\\alpha$")
+    foot = np.array([480.0, 110.0])
+    leaves(ax, foot, leaf(THETA - 12), leaf(THETA - 12, ALPHA), (BODY2, 3))
+    arrow(ax, foot, foot + leaf(0)(0, 1.42), BODY1, 1.6, dashed=True)
+    bent(ax, [foot + leaf(0, tip)(0, 1.25) for tip in np.linspace(1, ALPHA - 6, 30)], INK)
+    words(ax, foot + leaf(0, ALPHA / 2)(0, 1.1), "$\\alpha$", INK, 16)
+    words(ax, foot + leaf(0)(0, 1.5) + (14, 2), "$a_1$", BODY1, 14)
+    words(ax, foot + leaf(0, ALPHA)(0, 1.5) + (-4, 4), "$a_2$", BODY2, 14)
+    below(ax, 495, "it sags, and is still open by $\\theta$")
 
 
 def couple(ax):
     """A motor between a ring and a wheel, seen along the axle."""
-    words(ax, (210, 350), "a motor's couple", size=12.5, weight="bold")
+    title(ax, 210, "a motor turns both, and pushes neither")
     middle = np.array([210.0, 190.0])
-    for radius, colour in ((112, BODY1), (78, CARD), (70, BODY2)):
-        ax.add_patch(Ellipse(middle, 2 * radius, 2 * radius, zorder=1,
-                             facecolor=CARD, edgecolor=BODY1 if colour == CARD else colour,
-                             linewidth=2))
-        if colour != CARD:
-            ax.add_patch(Ellipse(middle, 2 * radius, 2 * radius, zorder=1, edgecolor="none",
-                                 facecolor=colour + "26"))
-    ax.plot(*middle, "o", color=INK, markersize=9, markeredgecolor=CARD, zorder=7)
-    curved(ax, [at_angle(middle, 46, d) for d in np.linspace(20, 145, 40)], BODY2)
-    curved(ax, [at_angle(middle, 126, d) for d in np.linspace(145, 20, 60)], BODY1)
-    words(ax, at_angle(middle, 28, 82), "$\\tau$", BODY2, 15)
-    words(ax, at_angle(middle, 143, 35) + (8, 0), "$-\\tau$", BODY1, 15)
+    for radius, colour in ((112, BODY1), (78, None), (70, BODY2)):
+        ax.add_patch(Circle(middle, radius, edgecolor=colour or BODY1, linewidth=2, zorder=1,
+                            facecolor=colour + "26" if colour else CARD))
+    dot(ax, middle, INK, 9)
+    turn(ax, middle, 46, 20, 145, BODY2)
+    turn(ax, middle, 126, 145, 20, BODY1)
+    words(ax, middle + 26 * direction(82), "$\\tau$", BODY2, 15)
+    words(ax, middle + 143 * direction(35) + (8, 0), "$-\\tau$", BODY1, 15)
     words(ax, middle + (0, -40), "body 2", BODY2, 12)
     words(ax, middle + (0, -95), "body 1", BODY1, 12)
-    words(ax, (210, 32), "equal and opposite: the motor pushes no centre", FAINT, 11)
+    below(ax, 210, "two torques, equal and opposite: a couple")
 
 
 if __name__ == "__main__":
-    draw(__doc__, "geometry_03", (shadow, rate, door), (280, 560), width=840,
-         more={"twist": ((twist, swing), (300,), 600), "couple": ((couple,), (), 420)})
+    draw(__doc__, "geometry_03", geometry=((door,), (0, 500, 10, 376)),
+         shadow=((shadow,), (0, 440, 14, 376)), rate=((rate,), (0, 440, 26, 376)),
+         twist=((twist, swing), (0, 660, 6, 376), 330), couple=((couple,), (0, 420, 6, 376)))

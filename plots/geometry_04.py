@@ -5,30 +5,16 @@ couple.svg: the impulses of an open ball joint act along two lines, those of a s
     python3 plots/geometry_04.py geometry.svg|couple.svg
 """
 import numpy as np
-from drawing import ARROW, BODY1, BODY2, FAINT, INK, arrow, body, dot, draw, named, words
-from matplotlib.patches import Arc, FancyBboxPatch
-from matplotlib.transforms import Affine2D
+from drawing import (ARROW, BODY1, BODY2, FAINT, INK, LEVER, arrow, below, body, direction, dot,
+                     draw, line, title, turn, words)
+from matplotlib.patches import Arc
 
-LEVER = named("lever")
 TILT = 12  # of body 1 [degrees]
 
 
-def direction(degrees):
-    return np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees))])
-
-
-def ghost(ax, centre, size, degrees, colour):
-    """Where a body ought to be: its dashed outline."""
-    w, h = size
-    box = FancyBboxPatch((-w / 2, -h / 2), w, h, boxstyle="round,pad=0,rounding_size=10",
-                         facecolor="none", edgecolor=colour, linewidth=1.4, linestyle=(0, (4, 3)))
-    box.set_transform(Affine2D().rotate_deg(degrees).translate(*centre) + ax.transData)
-    ax.add_patch(box)
-
-
-def line(ax):
+def rail(ax):
     """Left: the line rides on body 1; u has a part along it and a part across."""
-    words(ax, (212, 352), "a point on a line of body 1", size=12.5, weight="bold")
+    title(ax, 212, "a point on a line of body 1")
     a, n = direction(TILT), direction(TILT + 90)
     x1 = np.array([100.0, 99.0])
     p1 = x1 + 14 * a + 74 * n
@@ -47,8 +33,8 @@ def line(ax):
     ax.plot(*zip(foot, p2), color=FAINT, linewidth=1.4, linestyle=":", zorder=3)
     for place, colour in ((x1, BODY1), (p1, BODY1), (x2, BODY2), (p2, BODY2)):
         dot(ax, place, colour)
-    below = -17 * n
-    ax.annotate("", xy=foot + below, xytext=p1 + below, zorder=4,
+    under = -17 * n
+    ax.annotate("", xy=foot + under, xytext=p1 + under, zorder=4,
                 arrowprops={"arrowstyle": "<|-|>,head_width=0.2,head_length=0.4", "color": FAINT,
                             "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0})
     words(ax, (p1 + foot) / 2 + 46 * a - 31 * n, "displacement $u \\cdot a$", FAINT, 11,
@@ -66,17 +52,17 @@ def line(ax):
     words(ax, (288, 135), "lever $r_1 + u = p_2 - x_1$", LEVER, 12)
     words(ax, (144, 88), "body 1", BODY1, 12, rotation=TILT)
     words(ax, x2 + 23 * n, "body 2", BODY2, 12, rotation=TILT + 8)
-    words(ax, (212, 28), "$n_2$ points out of the page, at you", FAINT, 11)
+    below(ax, 212, "$n_2$ points out of the page, at you")
 
 
 def lock(ax):
     """Right: the required orientation of body 2, and its rotation beyond that."""
-    words(ax, (562, 352), "the excess rotation", size=12.5, weight="bold")
+    title(ax, 562, "the excess rotation")
     x1, x2 = np.array([540.0, 92.0]), np.array([566.0, 228.0])
     meant, now = TILT + 6, TILT + 38
     size = (136, 66)
     body(ax, x1, (148, 66), TILT, BODY1)
-    ghost(ax, x2, size, meant, BODY2)
+    body(ax, x2, size, meant, BODY2, ghost=True)
     body(ax, x2, size, now, BODY2)
     for degrees, dashes in ((meant, (4, 3)), (now, (1, 0))):
         ax.plot(*zip(x2, x2 + 92 * direction(degrees)), color=BODY2, linewidth=1.4, zorder=3,
@@ -92,61 +78,59 @@ def lock(ax):
     words(ax, (626, 182), "as required", BODY2, 10.5)
     words(ax, (560, 314), "as it is", BODY2, 10.5)
     words(ax, x1 + 37 * direction(TILT), "body 1", BODY1, 12, rotation=TILT)
-    words(ax, (562, 28), "the axis of $q_e$, and $C$, point at you", FAINT, 11)
+    below(ax, 562, "the axis of $q_e$, and $C$, point at you")
 
 
 def pushed(ax, place, across, colour, text, side):
-    """An impulse at a place, with its name beside its tip."""
+    """An impulse along its dotted line, with its name beside its tip."""
+    line(ax, (place[0], 72), (place[0], 312), dashes=":")
     arrow(ax, place, place + across, colour, 3)
     words(ax, place + 0.86 * across + np.array([side, 0]), text, colour, 14)
 
 
 def two_lines(ax):
     """Left: the gap of a ball joint is open, and its two impulses are a couple."""
-    words(ax, (178, 352), "an open ball joint: two lines", size=12.5, weight="bold")
-    p1, p2, up = np.array([118.0, 168.0]), np.array([228.0, 204.0]), np.array([0, 92.0])
+    title(ax, 178, "an open ball joint: the pair turns")
+    p1, p2, up = np.array([118.0, 178.0]), np.array([238.0, 208.0]), np.array([0, 88.0])
     body(ax, p1 - (36, 26), (132, 82), 8, BODY1)
     body(ax, p2 + (34, 10), (124, 76), -6, BODY2)
-    for place in (p1, p2):
-        ax.plot((place[0], place[0]), (64, 318), color=FAINT, linewidth=1.2, linestyle=":")
     arrow(ax, p1, p2, INK, 3)
     pushed(ax, p2, up, BODY2, "$\\lambda$", 18)
-    pushed(ax, p1, -up, BODY1, "$-\\lambda$", 26)
+    pushed(ax, p1, -up, BODY1, "$-\\lambda$", -24)
+    turn(ax, (p1 + p2) / 2, 92, 62, 116, LEVER, 3)
+    turn(ax, (p1 + p2) / 2, 92, 242, 296, LEVER, 3)
     for place, colour in ((p1, BODY1), (p2, BODY2)):
         dot(ax, place, colour)
     words(ax, p1 + (-17, 8), "$p_1$", BODY1)
     words(ax, p2 + (18, -10), "$p_2$", BODY2)
     words(ax, (p1 + p2) / 2 + (-6, 16), "$u$", INK, 15)
-    words(ax, p1 + (-60, -34), "body 1", BODY1, 12)
+    words(ax, p1 + (-56, -40), "body 1", BODY1, 12)
     words(ax, p2 + (58, 28), "body 2", BODY2, 12)
-    words(ax, (178, 28), "added angular momentum: $u \\times \\lambda$", FAINT, 11)
+    below(ax, 178, "two lines, $u$ apart: a couple")
 
 
 def one_line(ax):
     """Right: the lever of a slider's body 1 ends where body 2 touches the line."""
-    words(ax, (530, 352), "a slider: one line", size=12.5, weight="bold")
-    p1, p2, up = np.array([430.0, 190.0]), np.array([570.0, 190.0]), np.array([0, 92.0])
-    x1 = p1 + (18, -62)
+    title(ax, 530, "a slider: nothing turns")
+    rail, p2, up = np.array([398.0, 190.0]), np.array([570.0, 190.0]), np.array([0, 88.0])
+    x1 = rail + (50, -62)
     body(ax, x1, (132, 72), 0, BODY1)
     body(ax, p2 + (18, 16), (124, 72), 0, BODY2)
-    ax.plot((p1[0] - 32, p1[0] - 32), (x1[1] + 36, p1[1]), color=BODY1, linewidth=2.6)
-    ax.plot((p1[0] - 32, 672), (p1[1], p1[1]), color=BODY1, linewidth=2.6, zorder=3)
-    ax.plot((p2[0], p2[0]), (64, 318), color=FAINT, linewidth=1.2, linestyle=":")
+    line(ax, rail - (0, 26), rail, BODY1, "solid", 2.6)
+    line(ax, rail, (672, rail[1]), BODY1, "solid", 2.6)
     arrow(ax, x1, p2, LEVER, 2.6)
-    arrow(ax, p1, p2, INK, 3)
     pushed(ax, p2, up, BODY2, "$\\lambda\\, n$", 26)
     pushed(ax, p2, -up, BODY1, "$-\\lambda\\, n$", 34)
-    for place, colour in ((p1, BODY1), (x1, BODY1), (p2, BODY2)):
+    for place, colour in ((x1, BODY1), (p2, BODY2)):
         dot(ax, place, colour)
-    words(ax, p1 + (-4, 15), "$p_1$", BODY1)
-    words(ax, p2 + (17, -31), "$p_2$", BODY2)
-    words(ax, (p1 + p2) / 2 + (-8, 14), "$u$", INK, 15)
+    words(ax, p2 + (-17, 14), "$p_2$", BODY2)
     words(ax, x1 + (-15, 0), "$x_1$", BODY1)
-    words(ax, x1 + (30, -18), "body 1", BODY1, 12)
-    words(ax, p2 + (48, 28), "body 2", BODY2, 12)
-    words(ax, (530, 28), "both impulses act at $p_2$: they cancel", FAINT, 11)
+    words(ax, x1 + (30, -20), "body 1", BODY1, 12)
+    words(ax, p2 + (48, 34), "body 2", BODY2, 12)
+    words(ax, (x1 + p2) / 2 + (30, -14), "lever", LEVER, 12)
+    below(ax, 530, "one line, through $p_2$: they cancel")
 
 
 if __name__ == "__main__":
-    draw(__doc__, "geometry_04", (line, lock), (423,),
-         more={"couple": ((two_lines, one_line), (356,))})
+    draw(__doc__, "geometry_04", geometry=((rail, lock), (0, 700, 0, 380), 423),
+         couple=((two_lines, one_line), (0, 700, 6, 376), 356))

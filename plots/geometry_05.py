@@ -1,88 +1,68 @@
 #!/usr/bin/env python3
-"""Chapter 5's drawing: the load of a welded beam; two effects of an impulse at an anchor.
+"""Chapter 5's drawings: the load of a welded beam (geometry); an impulse at a far anchor and the
+answer of the lock (fight).
 
-    python3 plots/geometry_05.py OUT.svg
+    python3 plots/geometry_05.py geometry.svg|fight.svg
 """
 import numpy as np
-from drawing import ARROW, BODY1, BODY2, FAINT, INK, arrow, dot, draw, words
-from matplotlib.patches import Arc, FancyBboxPatch, Rectangle
-
-
-def box(ax, centre, size, colour):
-    """A cube, seen from the side."""
-    corner = (centre[0] - size / 2, centre[1] - size / 2)
-    ax.add_patch(FancyBboxPatch(corner, size, size, boxstyle="round,pad=0,rounding_size=6",
-                                facecolor=colour + "26", edgecolor=colour, linewidth=2))
-
-
-def wall(ax, right, low, high):
-    """What does not move: a strip that ends at x = right."""
-    ax.add_patch(Rectangle((right - 18, low), 18, high - low, facecolor=BODY1 + "26", linewidth=0))
-    ax.plot((right, right), (low, high), color=BODY1, linewidth=2)
-
-
-def turn(ax, centre, radius, start, end, colour):
-    """A bent arrow round a centre from start to end [degrees], either way round."""
-    ax.add_patch(Arc(centre, 2 * radius, 2 * radius, theta1=min(start, end),
-                     theta2=max(start, end), color=colour, linewidth=2.2, zorder=4))
-    angle = np.radians(end)
-    tip = np.array(centre) + radius * np.array([np.cos(angle), np.sin(angle)])
-    along = np.sign(end - start) * np.array([-np.sin(angle), np.cos(angle)])
-    arrow(ax, tip - along, tip + 9 * along, colour)
-
-
-def measure(ax, left, right, y, text):
-    """A length between two marks, with its name in the middle."""
-    ax.plot((left, right), (y, y), color=FAINT, linewidth=1.2)
-    for x in (left, right):
-        ax.plot((x, x), (y - 5, y + 5), color=FAINT, linewidth=1.2)
-    words(ax, ((left + right) / 2, y - 13), text, FAINT)
+from drawing import (ARROW, BODY2, INK, arrow, below, body, dot, draw, line, measure, title,
+                     turn, wall, words)
 
 
 def load(ax):
-    """Left: a beam, its weight, and the load at the wall."""
-    words(ax, (180, 350), "the load of a weld", size=12.5, weight="bold")
-    edge, left, y, cubes = 46, 72.0, 190.0, 5
-    wall(ax, left, y - 75, y + 75)
+    """A beam, its weight, and the load at the wall."""
+    title(ax, 230, "a weld carries a force and a torque")
+    edge, left, y, cubes = 58, 112.0, 190.0, 5
+    wall(ax, left, y - 85, y + 85)
     for k in range(cubes):
-        box(ax, (left + (k + 0.5) * edge, y), edge - 3, BODY2)
+        body(ax, (left + (k + 0.5) * edge, y), (edge - 3, edge - 3), 0, BODY2, rounding=6)
     p, middle = (left, y), (left + cubes * edge / 2, y)
-    arrow(ax, p, (left, y + 92), INK, 3)
-    turn(ax, p, 38, -70, 55, INK)
-    arrow(ax, middle, (middle[0], y - 92))
+    arrow(ax, p, (left, y + 100), INK, 3)
+    turn(ax, p, 44, -70, 55, INK)
+    arrow(ax, middle, (middle[0], y - 104), ARROW, 3)
     dot(ax, p, INK)
     dot(ax, middle, ARROW)
-    words(ax, (left + 14, y + 90), "$F = n\\,m\\,g$", ha="left")
-    words(ax, (left + 44, y + 44), "$\\tau_p = n^2 m\\,g\\,L/2$", ha="left")
-    words(ax, (middle[0] + 12, y - 84), "$n\\,m\\,g$", ARROW, ha="left")
-    words(ax, (left + 14, y + 8), "$p$", size=12)
-    measure(ax, left, middle[0], y - 42, "$nL/2$")
-    words(ax, (180, 32), "$F$ and $\\tau_p$ act on the first cube", FAINT, 11)
+    words(ax, (left + 14, y + 96), "force $F = n\\,m\\,g$", ha="left")
+    words(ax, (left + 56, y + 48), "torque $\\tau_p = n^2 m\\,g\\,L/2$", ha="left")
+    words(ax, (middle[0] + 12, y - 96), "weight $n\\,m\\,g$", ARROW, ha="left")
+    words(ax, (left - 8, y), "$p$", size=13, ha="right")
+    measure(ax, (left, y - 52), (middle[0], y - 52), "$nL/2$", (0, -14), size=12)
+    below(ax, 230, "$n$ cubes of mass $m$ and edge $L$, welded to a wall")
 
 
-def effects(ax):
-    """Right: a push at a far anchor moves the body a little and turns it a lot."""
-    words(ax, (520, 350), "two blocks that fight", size=12.5, weight="bold")
-    p, x = np.array([388.0, 140.0]), np.array([628.0, 140.0])
-    moving, turning = np.array([0, 34.0]), np.array([0, 100.0])  # parts of the anchor's speed
-    wall(ax, p[0] - 12, 75, 305)
-    box(ax, x, 84, BODY2)
-    ax.plot(*zip(p, x), color=FAINT, linewidth=1.6)
-    arrow(ax, p, p + moving, ARROW, 3)
-    arrow(ax, p + moving, p + moving + turning, BODY2, 3)
-    arrow(ax, x, x + moving, ARROW, 3)
-    turn(ax, x, 62, 215, 150, BODY2)
-    dot(ax, p, INK)
-    dot(ax, x, BODY2)
-    words(ax, p - (0, 16), "$p$", size=12)
-    words(ax, (p + x) / 2 - (0, 14), "$r$", FAINT)
-    words(ax, p + moving / 2 + (10, 2), "$P/m$ moves the body", ARROW, 11.5, ha="left")
-    words(ax, p + moving + turning / 2 + (10, 12), "$P\\,r^2/i$ rotates it", BODY2, 11.5, ha="left")
-    words(ax, p + moving + turning / 2 + (10, -8), "and the lock undoes that", BODY2, 10,
-          ha="left")
-    words(ax, x - (0, 60), "body 2", BODY2, 12)
-    words(ax, (520, 32), "effect of an impulse $P$ at the anchor", FAINT, 11)
+def cube_and_wall(ax, shift):
+    """A cube and its anchor p, at the end of a long lever, beside the wall; where both are."""
+    p, x = np.array([62.0 + shift, 190.0]), np.array([252.0 + shift, 190.0])
+    wall(ax, p[0] - 10, 90, 290)
+    line(ax, p, x, BODY2, "solid", 2.4)
+    body(ax, x, (84, 84), 0, BODY2)
+    dot(ax, p, BODY2)
+    words(ax, p + (12, -14), "$p$")
+    words(ax, x - (0, 58), "body 2", BODY2, 12)
+    return p, x
+
+
+def point(ax):
+    """Left: the impulse that stops the anchor rotates the cube."""
+    title(ax, 166, "1. the point stops its anchor")
+    p, x = cube_and_wall(ax, 0)
+    arrow(ax, p, p + (0, 84), ARROW, 3.4)
+    turn(ax, x, 66, 160, 100, BODY2, 3)
+    words(ax, p + (12, 74), "impulse $P$", ARROW, ha="left")
+    below(ax, 166, "the cube rotates", colour=BODY2)
+
+
+def lock(ax):
+    """Right: the lock stops the rotation, and the anchor falls as before."""
+    title(ax, 508, "2. the lock stops the rotation")
+    p, x = cube_and_wall(ax, 342)
+    arrow(ax, p, p - (0, 84), INK, 3)
+    turn(ax, x, 66, 100, 160, ARROW, 3.4)
+    words(ax, p + (12, -74), "falls again", INK, ha="left")
+    words(ax, x + (-34, 82), "angular impulse $T$", ARROW)
+    below(ax, 508, "the anchor falls again, nearly as fast")
 
 
 if __name__ == "__main__":
-    draw(__doc__, "geometry_05", (load, effects), (338,))
+    draw(__doc__, "geometry_05", geometry=((load,), (0, 460, 6, 376)),
+         fight=((point, lock), (0, 670, 6, 376), 332))

@@ -1,128 +1,111 @@
 #!/usr/bin/env python3
-"""Chapter 6's drawing: a step off the circle, two cures of a gap, the angular velocity left.
+"""Chapter 6's drawings: a step off the circle (geometry), two cures of a gap (cures), the angular
+velocity that is left (left).
 
-    python3 plots/geometry_06.py OUT.svg
+    python3 plots/geometry_06.py geometry.svg|cures.svg|left.svg
 """
 import numpy as np
-from drawing import ARROW, BODY1, BODY2, FAINT, INK, arrow, dot, draw, words
-from matplotlib.patches import Arc, FancyBboxPatch
-from matplotlib.transforms import Affine2D
+from drawing import (ARROW, BODY1, BODY2, FAINT, INK, arrow, below, body, direction, dot, draw,
+                     line, title, turn, words)
+from matplotlib.patches import Arc
 
 BETA = 0.3  # of the drawing, large enough to be seen
 
 
-def direction(degrees):
-    return np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees))])
-
-
-def box(ax, centre, size, degrees, colour, ghost=False):
-    """A body seen from the side; a ghost is only its dashed outline."""
-    w, h = size
-    style = {"facecolor": "none", "linewidth": 1.4, "linestyle": (0, (4, 3))}
-    shape = FancyBboxPatch((-w / 2, -h / 2), w, h, boxstyle="round,pad=0,rounding_size=5",
-                           edgecolor=colour,
-                           **(style if ghost else {"facecolor": colour + "26", "linewidth": 2}))
-    shape.set_transform(Affine2D().rotate_deg(degrees).translate(*centre) + ax.transData)
-    ax.add_patch(shape)
-
-
-def turn(ax, centre, radius, start, end, colour, width):
-    """A bent arrow round a centre, counter-clockwise from start to end [degrees]."""
-    ax.add_patch(Arc(centre, 2 * radius, 2 * radius, theta1=start, theta2=end, color=colour,
-                     linewidth=width, zorder=4))
-    tip, along = centre + radius * direction(end), direction(end + 90)
-    arrow(ax, tip - along, tip + 9 * along, colour, width)
-
-
 def leave(ax):
-    """Left: one step of a bar along the tangent, and how far it ends outside the circle."""
-    words(ax, (140, 352), "a step is straight", size=12.5, weight="bold")
-    pivot, r, first, angle = np.array([46.0, 84.0]), 112.0, 6.0, 0.78  # angle of the step [rad]
+    """One step of a bar along the tangent, and how far it ends outside the circle."""
+    title(ax, 210, "a step is straight: it leaves the circle")
+    pivot, r, first, angle = np.array([74.0, 92.0]), 136.0, 4.0, 0.74  # angle of the step [rad]
     before = pivot + r * direction(first)
     after = before + angle * r * direction(first + 90)
-    now = first + np.degrees(angle)
-    anchor = after - r * direction(now)
     outward = (after - pivot) / np.linalg.norm(after - pivot)
-    ax.add_patch(Arc(pivot, 2 * r, 2 * r, theta1=-14, theta2=86, color=FAINT, linewidth=1.4,
+    anchor = after - r * direction(first + np.degrees(angle))
+    ax.add_patch(Arc(pivot, 2 * r, 2 * r, theta1=-8, theta2=74, color=FAINT, linewidth=1.6,
                      linestyle=(0, (4, 3)), zorder=2))
-    box(ax, before, (2 * r + 14, 26), first, BODY2, ghost=True)
-    box(ax, after, (2 * r + 14, 26), now, BODY2)
+    body(ax, before, (2 * r + 18, 26), first, BODY2, ghost=True, rounding=5)
+    body(ax, after, (2 * r + 18, 26), first + np.degrees(angle), BODY2, rounding=5)
     arrow(ax, before, after, ARROW, 3)
-    arrow(ax, pivot, anchor, INK, 2.4)
-    ax.plot(*zip(pivot + r * outward, after), color=INK, linewidth=3.4, zorder=4)
-    dot(ax, pivot, BODY1, 9)
+    line(ax, pivot + r * outward, after, INK, "solid", 4, 4)
+    line(ax, pivot, anchor, INK, "solid", 4, 4)
+    dot(ax, pivot, BODY1, 10)
     for place in (before, after, anchor):
         dot(ax, place, BODY2)
-    words(ax, (before + after) / 2 + (26, 3), "$\\omega\\,r\\,h$", ARROW)
-    words(ax, (pivot + r * outward + after) / 2 + (-13, 11), "$\\delta$", INK, 15)
-    words(ax, anchor + (-24, 10), "$C$", INK, 15)
-    words(ax, pivot + (2, -22), "pivot", BODY1, 12)
-    words(ax, pivot + r * direction(first) / 2 + (8, -4), "$r$", FAINT)
-    words(ax, (142, 28), "it ends $\\delta = \\omega^2 r\\,h^2/2$ too far out", FAINT, 11)
+    words(ax, before + (14, 56), "one step:\n$\\omega\\,r\\,h$, straight", ARROW, ha="left")
+    words(ax, after + (-36, 4), "$\\delta$", INK, 16)
+    words(ax, anchor + (-42, 22), "gap $C$", INK)
+    words(ax, pivot + (-22, -28), "pivot", BODY1, 12)
+    words(ax, pivot + (70, -24), "$r$", FAINT)
+    words(ax, pivot + r * direction(78) + (-6, 8), "circle of the centre", FAINT, 11)
+    below(ax, 210, "too far out by $\\delta = \\omega^2 r\\,h^2/2$, in every step")
 
 
-def cures(ax):
-    """Middle: a gap is closed by velocities in many steps, or by a move."""
-    words(ax, (420, 352), "two cures of one gap", size=12.5, weight="bold")
-    wall, gap, size = 306.0, 152.0, 32.0
-    names = ("$C_0$", "$(1-\\beta)\\,C_0$", "$(1-\\beta)^2\\,C_0$")
-    ax.plot((wall, wall), (196, 324), color=BODY1, linewidth=2.4)
-    words(ax, (wall + 4, 180), "fed back: a velocity each step", ARROW, 11, ha="left")
-    for k, name in enumerate(names):
-        y, place = 304 - 44 * k, wall + gap * (1 - BETA) ** k
-        box(ax, (place + size / 2, y), (size, size), 0, BODY2, ghost=k > 0)
-        ax.plot((wall, place), (y - 8, y - 8), color=INK, linewidth=1.6, zorder=3)
-        arrow(ax, (place, y + 6), (place - BETA * (place - wall), y + 6), ARROW, 2.6)
+def fed_back(ax):
+    """Left: a gap is closed by velocities in many steps."""
+    title(ax, 170, "fed back: a velocity in each step")
+    wall, gap, size = 30.0, 190.0, 36.0
+    line(ax, (wall, 62), (wall, 318), BODY1, "solid", 2.4)
+    for k in range(4):
+        y, place = 290 - 64 * k, wall + gap * (1 - BETA) ** k
+        body(ax, (place + size / 2, y), (size, size), 0, BODY2, k > 0, 5)
+        line(ax, (wall, y - 8), (place, y - 8), INK, "solid", 1.6)
+        arrow(ax, (place, y + 7), (place - BETA * (place - wall), y + 7), ARROW, 2.6)
         dot(ax, (place, y - 8), BODY2, 6)
         dot(ax, (wall, y - 8), BODY1, 6)
-        words(ax, (place + size + 8, y), name, INK, 12, ha="left")
-    y = 106
-    ax.plot((wall, wall), (y - 30, y + 30), color=BODY1, linewidth=2.4)
-    box(ax, (wall + gap + size / 2, y), (size, size), 0, BODY2, ghost=True)
-    box(ax, (wall + size / 2, y), (size, size), 0, BODY2)
+        words(ax, (place + size + 8, y), ("$C_0$", "$(1-\\beta)\\,C_0$", "$(1-\\beta)^2\\,C_0$",
+                                          "$(1-\\beta)^3\\,C_0$")[k], INK, 12, ha="left")
+    below(ax, 170, "the gap shrinks by the factor $1 - \\beta$ in each")
+
+
+def projected(ax):
+    """Right: a gap is closed by a move."""
+    title(ax, 510, "projected: one move, no velocity")
+    wall, gap, size, y = 400.0, 150.0, 36.0, 210
+    line(ax, (wall, y - 60), (wall, y + 60), BODY1, "solid", 2.4)
+    body(ax, (wall + gap + size / 2, y), (size, size), 0, BODY2, True, 5)
+    body(ax, (wall + size / 2, y), (size, size), 0, BODY2, rounding=5)
     arrow(ax, (wall + gap - 2, y), (wall + size + 4, y), INK, 2.2, dashed=True)
     dot(ax, (wall, y - 8), BODY1, 6)
-    words(ax, (wall + size + (gap - size) / 2, y + 15), "a move", INK, 11)
     words(ax, (wall + gap + size + 8, y), "$C_0$", INK, 12, ha="left")
-    words(ax, (wall + 4, 62), "projected: at once, no velocity", INK, 11, ha="left")
-    words(ax, (420, 28), "$\\beta$ of it in a step, or all of it", FAINT, 11)
+    below(ax, 510, "the gap is closed after one step")
 
 
-def rotation(ax):
-    """Right: the correction of a slanted gap turns the body, and an angular velocity stays."""
-    words(ax, (700, 352), "the free axis", size=12.5, weight="bold")
-    r, gap = 112.0, np.array([44.0, 46.0])
-    pivot = np.array([606.0, 226.0])
+def free_axis(ax, pivot, tilt, gap):
+    """A body on a lever beside its pivot, seen along the free axis; its anchor and its centre."""
+    pivot = np.array(pivot)
     anchor = pivot + gap
-    x = anchor + (r, 0)
-    box(ax, pivot, (48, 48), 0, BODY1)
-    box(ax, x, (58, 58), 0, BODY2)
-    arrow(ax, x, anchor, FAINT, 1.8)
-    arrow(ax, pivot, anchor, INK, 2.6)
-    aside = np.array([-15.0, 14.0])
-    arrow(ax, anchor + aside, anchor + aside - 0.62 * gap, ARROW, 2.8)
-    turn(ax, x, 45, -62, 62, BODY2, 2.8)
+    x = anchor + 120 * direction(tilt)
+    body(ax, pivot, (52, 52), 0, BODY1, rounding=5)
+    body(ax, x, (62, 62), tilt, BODY2, rounding=5)
+    line(ax, x, anchor, BODY2, "solid", 2.4)
     dot(ax, pivot, BODY1)
     dot(ax, anchor, BODY2)
-    dot(ax, x, BODY2)
-    words(ax, pivot + gap / 2 + (16, -8), "$C_0$")
-    words(ax, (anchor + x) / 2 + (-8, 13), "$r$", FAINT)
-    words(ax, anchor + aside + (-34, 13), "$-\\beta\\,C_0/h$", ARROW, 12)
-    words(ax, (826, 212), "the first velocity rotates it", BODY2, 11, ha="right")
+    return anchor, x
 
-    pivot = np.array([606.0, 96.0])
-    tilt = 22  # what it has turned by
-    x = pivot + r * direction(tilt)
-    box(ax, pivot, (48, 48), 0, BODY1)
-    box(ax, x, (58, 58), tilt, BODY2)
-    arrow(ax, x, pivot, FAINT, 1.8)
-    turn(ax, x, 45, tilt - 18, tilt + 16, BODY2, 2.8)
-    dot(ax, pivot, BODY1)
-    dot(ax, x, BODY2)
-    words(ax, x + (59, 14), "$\\omega_{\\mathrm{left}}$", BODY2, 14, ha="left")
-    words(ax, (826, 58), "the gap is closed, $\\omega$ remains", BODY2, 11, ha="right")
-    words(ax, (700, 28), "seen along the axis", FAINT, 11)
+
+def closing(ax):
+    """Left: the correction of a slanted gap rotates the body."""
+    title(ax, 150, "closing: it rotates")
+    gap = np.array([48.0, 50.0])
+    anchor, x = free_axis(ax, (60, 176), 0, gap)
+    arrow(ax, (60, 176), anchor, INK, 2.8)
+    arrow(ax, anchor + (-14, 14), anchor + (-14, 14) - 0.66 * gap, ARROW, 3)
+    turn(ax, x, 48, -62, 62, BODY2, 2.8)
+    words(ax, anchor - gap / 2 + (18, -8), "$C_0$")
+    words(ax, (anchor + x) / 2 + (-14, 14), "$r$", FAINT)
+    words(ax, anchor + (-30, 28), "$-\\beta\\,C_0/h$", ARROW, 13)
+    below(ax, 150, "seen along the free axis", 72)
+
+
+def closed(ax):
+    """Right: the gap is closed, and an angular velocity stays."""
+    title(ax, 450, "closed: it still rotates")
+    _, x = free_axis(ax, (370, 176), 22, (0, 0))
+    turn(ax, x, 50, 4, 40, BODY2, 2.8)
+    words(ax, x + (10, 60), "$\\omega_{\\mathrm{left}}$", BODY2, 15)
+    below(ax, 450, "no row stops it", 72)
 
 
 if __name__ == "__main__":
-    draw(__doc__, "geometry_06", (leave, cures, rotation), (280, 560), width=840)
+    draw(__doc__, "geometry_06", geometry=((leave,), (0, 420, 6, 376)),
+         cures=((fed_back, projected), (0, 680, 6, 376), 340),
+         left=((closing, closed), (0, 600, 50, 376), 300))

@@ -1,46 +1,41 @@
 #!/usr/bin/env python3
-"""Chapter 7's drawings: geometry.svg with colours of joints, records turned into columns and one
-product on eight lanes; order.svg (order_07.py) and roofline.svg (roofline_07.py). The file's name
-chooses.
+"""Chapter 7's drawings: colours of joints (geometry), records turned into columns (columns), the
+errors of an order (order, by order_07.py) and the loop beside the machine (roofline, by
+roofline_07.py).
 
-    python3 plots/geometry_07.py OUT.svg
+    python3 plots/geometry_07.py geometry.svg|columns.svg|order.svg|roofline.svg
 """
 import pathlib
 import sys
 
 import matplotlib
 import numpy as np
-from drawing import CARD, EDGE, FAINT, INK, arrow, body, draw, named, words
+from drawing import CARD, EDGE, FAINT, INK, arrow, below, body, direction, draw, title, words
 from matplotlib.patches import Circle, Rectangle
 from order_07 import joint
 
 LANES = [matplotlib.colormaps["viridis"](k / 7) for k in range(8)]
-CELL = 17.0
+CELL = 22.0
 
 
 def colours(ax):
-    """Left: two chains need two colours, a hub with five joints needs five."""
-    words(ax, (172, 352), "one colour: solved together", size=12.5, weight="bold")
-    wall, apart = 30.0, 58.0
-    for y in (308.0, 258.0):
-        ax.add_patch(Rectangle((wall - 12, y - 19), 12, 38, facecolor=EDGE, edgecolor=FAINT,
+    """Two chains need two colours, a hub with five joints needs five."""
+    title(ax, 320, "joints of one colour share no body: they are solved together")
+    wall, apart = 54.0, 66.0
+    for y in (286.0, 226.0):
+        ax.add_patch(Rectangle((wall - 12, y - 21), 12, 42, facecolor=EDGE, edgecolor=FAINT,
                                linewidth=1.4, zorder=2))
         for k in range(5):
-            body(ax, (wall + 38 + apart * k, y), (32, 32), 0, FAINT)
-            joint(ax, (wall + 9 + apart * k, y), k % 2)
-    words(ax, (172, 221), "chains: two colours, however long", FAINT, 11)
-
-    hub = np.array([92.0, 122.0])
-    ax.add_patch(Circle(hub, 26, facecolor=FAINT + "26", edgecolor=FAINT, linewidth=2, zorder=2))
+            body(ax, (wall + 43 + apart * k, y), (38, 38), 0, FAINT)
+            joint(ax, (wall + 10 + apart * k, y), k % 2)
+    words(ax, (205, 172), "a chain: two colours, however long", INK, 12)
+    hub = np.array([510.0, 228.0])
+    ax.add_patch(Circle(hub, 28, facecolor=FAINT + "26", edgecolor=FAINT, linewidth=2, zorder=2))
     for k in range(5):
-        angle = np.radians(90 - 72 * k)
-        out = np.array([np.cos(angle), np.sin(angle)])
-        body(ax, hub + 59 * out, (30, 30), 90 - 72 * k, FAINT)
-        joint(ax, hub + 35 * out, k)
-    words(ax, (180, 142), "five joints on a hub:", FAINT, 11, ha="left")
-    words(ax, (180, 122), "five colours, with", FAINT, 11, ha="left")
-    words(ax, (180, 102), "one joint in each", FAINT, 11, ha="left")
-    words(ax, (172, 28), "in one colour no moving body occurs twice", FAINT, 11)
+        degrees = 90 - 72 * k
+        body(ax, hub + 66 * direction(degrees), (36, 36), degrees, FAINT)
+        joint(ax, hub + 38 * direction(degrees), k)
+    words(ax, (510, 116), "a hub: five colours", INK, 12)
 
 
 def cells(ax, corner, rows, columns, colour_of):
@@ -58,45 +53,27 @@ def frame(ax, corner, rows, columns):
                            facecolor="none", edgecolor=INK, linewidth=2.2, zorder=4))
 
 
-def turned_round(ax):
-    """Right, above: eight records of eight numbers become eight columns."""
-    words(ax, (594, 352), "eight records become columns", size=12.5, weight="bold")
-    names = ("$v_x$", "$v_y$", "$v_z$", "$1/m$", "$\\omega_x$", "$\\omega_y$", "$\\omega_z$",
-             "unused")
-    left, right = np.array([404.0, 310.0]), np.array([644.0, 310.0])
+def columns(ax):
+    """Eight records of eight numbers become eight columns."""
+    title(ax, 300, "eight records become eight columns")
+    names = ("$v_x$", "$v_y$", "$v_z$", "$1/m$", "$\\omega_x$", "$\\omega_y$", "$\\omega_z$", "-")
+    left, right = np.array([70.0, 296.0]), np.array([390.0, 296.0])
     side = 8 * CELL
     cells(ax, left, 8, 8, lambda i, j: LANES[i])
     cells(ax, right, 8, 8, lambda i, j: LANES[j])
-    frame(ax, left, 8, 1)
+    frame(ax, left, 1, 8)
     frame(ax, right, 1, 8)
-    for k in range(8):
-        words(ax, (left[0] - 9, left[1] - CELL * (k + 0.5)), str(k), INK, 9.5)
-        words(ax, (right[0] + CELL * (k + 0.5), right[1] + 9), str(k), INK, 9.5)
     for k, name in enumerate(names):
+        words(ax, (left[0] - 9, left[1] - CELL * (k + 0.5)), str(k), INK, 9.5)
+        words(ax, (left[0] + CELL * (k + 0.5), left[1] + 10), name, INK, 9)
+        words(ax, (right[0] + CELL * (k + 0.5), right[1] + 10), str(k), INK, 9.5)
         words(ax, (right[0] - 7, right[1] - CELL * (k + 0.5)), name, INK, 10, ha="right")
-    for place, name in ((1.5, "$v$"), (3.5, "$1/m$"), (5.5, "$\\omega$")):
-        words(ax, (left[0] + CELL * place, left[1] + 10), name, INK, 10)
-    words(ax, (left[0] - 25, left[1] - side / 2), "joint", FAINT, 11, rotation=90)
-    words(ax, (right[0] + side + 22, right[1] + 9), "lane", FAINT, 11)
-    arrow(ax, (left[0] + side + 10, 242), (right[0] - 42, 242), INK, 2.6)
-    words(ax, (left[0] + side / 2, 160), "a row: one body", FAINT, 11)
-    words(ax, (right[0] + side / 2, 160), "a row: one number of eight", FAINT, 11)
-
-
-def lanes(ax):
-    """Right, below: one product of the solve, for eight joints at once."""
-    width, y = 8 * CELL, 98.0
-    starts = (368.0, 526.0, 684.0)
-    signs = ("$\\times$", "$=$")
-    names = ("$(K^{-1})_{ij}$", "$e_j$", "term of $-\\lambda_i$")
-    for x, name in zip(starts, names):
-        cells(ax, (x, y), 1, 8, lambda i, j: LANES[j])
-        frame(ax, (x, y), 1, 8)
-        words(ax, (x + width / 2, y + 17), name, INK, 12)
-    for x, sign in zip(starts[1:], signs):
-        words(ax, (x - 12, y - CELL / 2), sign, INK, 15)
-    words(ax, (594, 56), "one instruction, eight joints", INK, 11)
-    words(ax, (594, 28), "only if no body is in two lanes", FAINT, 11)
+    words(ax, (left[0] - 28, left[1] - side / 2), "body", FAINT, 11, rotation=90)
+    words(ax, (right[0] + side / 2, right[1] + 28), "body", FAINT, 11)
+    arrow(ax, (left[0] + side + 12, 210), (right[0] - 44, 210), INK, 2.6)
+    words(ax, (left[0] + side / 2, 94), "one load:\nall numbers of one body", INK, 11)
+    words(ax, (right[0] + side / 2, 94), "one instruction:\none number of eight bodies", INK, 11)
+    below(ax, 300, "a colour: one body", 50)
 
 
 if __name__ == "__main__":
@@ -108,5 +85,5 @@ if __name__ == "__main__":
             import roofline_07
             roofline_07.picture(pathlib.Path(sys.argv[-1]))
         case _:
-            draw(__doc__, "geometry_07", (colours, turned_round, lanes), (345,),
-                 width=840)
+            draw(__doc__, "geometry_07", geometry=((colours,), (0, 640, 92, 376)),
+                 columns=((columns,), (0, 600, 30, 376)))

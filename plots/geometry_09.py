@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from drawing import ARROW, BODY1, BODY2, CARD, EDGE, FAINT, INK, draw, named, words
+from drawing import ARROW, BODY1, BODY2, CARD, EDGE, FAINT, INK, draw, named, title, words
 from matplotlib.patches import Circle, Rectangle
 
 COUNT = 5  # joints
@@ -47,8 +47,8 @@ def matrix(ax, corner, own, filled):
         words(ax, (x + (i + 0.5) * CELL, y + 11), str(i + 1), ARROW, 10.5, weight="bold")
 
 
-def panel(ax, middle, title, places, links, own, filled, said, fixed=()):
-    words(ax, (middle, 357), title, size=12.5, weight="bold")
+def panel(ax, middle, kind, places, links, own, filled, said, fixed=()):
+    title(ax, middle, kind)
     bodies(ax, [np.array(place) + (middle, 270) for place in places], links, fixed)
     matrix(ax, (middle - COUNT * CELL / 2 + 6, 186), own, filled)
     words(ax, (middle, 28), said, FAINT, 10.5)
@@ -81,4 +81,4 @@ if __name__ == "__main__":
         import zigzag_09
         zigzag_09.picture(__doc__)
     else:
-        draw(__doc__, "geometry_09", (chain, loop, star), (236, 464))
+        draw(__doc__, "geometry_09", geometry=((chain, loop, star), (0, 700, 0, 380), 236, 464))

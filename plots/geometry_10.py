@@ -4,14 +4,9 @@
     python3 plots/geometry_10.py OUT.svg
 """
 import numpy as np
-from drawing import ARROW, BODY1, BODY2, FAINT, INK, arrow, dot, draw, named, words
+from drawing import (ARROW, BODY1, BODY2, FAINT, INK, LEVER, arrow, below, direction, dot, draw,
+                     into_page, title, turn, words)
 from matplotlib.patches import Arc, Circle, Polygon
-
-LEVER = named("lever")
-
-
-def direction(degrees):
-    return np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees))])
 
 
 def bar(ax, start, end, width, colour):
@@ -23,18 +18,9 @@ def bar(ax, start, end, width, colour):
                          facecolor=colour + "26", edgecolor=colour, linewidth=2))
 
 
-def bent(ax, centre, radius, start, end, colour):
-    """A bent arrow round a centre from start to end [degrees], either way round."""
-    ax.add_patch(Arc(centre, 2 * radius, 2 * radius, theta1=min(start, end),
-                     theta2=max(start, end), color=colour, linewidth=2.2, zorder=4))
-    tip = np.array(centre) + radius * direction(end)
-    along = np.sign(end - start) * direction(end + 90)
-    arrow(ax, tip - along, tip + 9 * along, colour)
-
-
 def cross(ax):
     """Left: two shafts, and a pin of the cross in each."""
-    words(ax, (150, 352), "a universal joint", size=12.5, weight="bold")
+    title(ax, 150, "a universal joint")
     centre, bend = np.array([142.0, 190.0]), 32
     bar(ax, centre - (112, 0), centre - (26, 0), 34, BODY1)
     bar(ax, centre + 26 * direction(bend), centre + 122 * direction(bend), 34, BODY2)
@@ -54,7 +40,7 @@ def cross(ax):
     words(ax, centre + pin + (12, -12), "$a_2$", BODY2)
     words(ax, centre + (-70, -32), "body 1", BODY1, 12)
     words(ax, centre + 84 * direction(bend) + (-22, 36), "body 2", BODY2, 12)
-    bent(ax, centre - (78, 0), 30, 110, 215, INK)
+    turn(ax, centre - (78, 0), 30, 110, 215, INK)
     words(ax, centre + (-120, 30), "$\\alpha$", INK)
     words(ax, (150, 28), "$C = a_1 \\cdot a_2$", FAINT, 11.5)
 
@@ -71,14 +57,14 @@ def wheel(ax, centre, radius, teeth, colour):
 
 def gear(ax):
     """Middle: two wheels that mesh turn in opposite directions."""
-    words(ax, (390, 352), "a gear", size=12.5, weight="bold")
+    title(ax, 390, "a gear")
     one, two = np.array([356.0, 190.0]), np.array([455.0, 190.0])
     wheel(ax, one, 62, 24, BODY1)
     wheel(ax, two, 31, 12, BODY2)
     for centre, start, end, radius, colour in ((one, 0, 40, 46, BODY1), (two, 180, 100, 22, BODY2)):
         ax.plot(*zip(centre, centre + (radius + 4) * direction(start)), color=FAINT, linewidth=1.2)
         ax.plot(*zip(centre, centre + (radius + 4) * direction(end)), color=colour, linewidth=1.6)
-        bent(ax, centre, radius, start, end, colour)
+        turn(ax, centre, radius, start, end, colour)
     words(ax, one + (14, -88), "body 1", BODY1, 12)
     words(ax, two + (8, -54), "body 2", BODY2, 12)
     words(ax, one + (24, 82), "$\\theta_1$", BODY1)
@@ -89,7 +75,7 @@ def gear(ax):
 
 def cone(ax):
     """Right: an axis inside a cone, and the vector about which it swings."""
-    words(ax, (616, 352), "a cone", size=12.5, weight="bold")
+    title(ax, 616, "a cone")
     tip, limit, swing = np.array([616.0, 84.0]), 34, 20
     for side in (1, -1):
         ax.plot(*zip(tip, tip + 180 * direction(90 + side * limit)), color=BODY1, linewidth=2)
@@ -97,19 +83,16 @@ def cone(ax):
     ax.add_patch(Arc(rim, 360 * np.sin(np.radians(limit)), 52, color=BODY1, linewidth=1.6))
     arrow(ax, tip, tip + (0, 178), BODY1, 3)
     arrow(ax, tip, tip + 186 * direction(90 - swing), BODY2, 3)
-    bent(ax, tip, 128, 90, 90 - swing + 5, LEVER)
+    turn(ax, tip, 128, 90, 90 - swing + 5, LEVER)
     ax.add_patch(Arc(tip, 148, 148, theta1=90, theta2=90 + limit, color=FAINT, linewidth=1.4))
     words(ax, tip + 90 * direction(90 + limit / 2), "$\\varphi$", FAINT)
     words(ax, tip + (-17, 118), "$a_1$", BODY1)
     words(ax, tip + 186 * direction(90 - swing) + (15, 8), "$a_2$", BODY2)
     words(ax, tip + 144 * direction(90 - swing / 2), "swing", LEVER, 11)
-    ax.add_patch(Circle(tip, 8, facecolor="none", edgecolor=ARROW, linewidth=2, zorder=6))
-    for degrees in (45, 135):
-        ax.plot(*zip(tip - 5.6 * direction(degrees), tip + 5.6 * direction(degrees)),
-                color=ARROW, linewidth=2, zorder=6)
+    into_page(ax, tip, ARROW)
     words(ax, tip + (24, -6), "$n$", ARROW)
-    words(ax, (616, 28), "$n$ points into the page", FAINT, 11)
+    below(ax, 616, "$n$ points into the page")
 
 
 if __name__ == "__main__":
-    draw(__doc__, "geometry_10", (cross, gear, cone), (272, 508), 726)
+    draw(__doc__, "geometry_10", geometry=((cross, gear, cone), (0, 726, 0, 380), 272, 508))

@@ -30,13 +30,17 @@ def includes(root):
     return {(user, used) for user, used in pairs if user != used}
 
 
-def direct(pairs):
-    """Without those that lead there by way of another group as well."""
-    groups = {group for pair in pairs for group in pair}
-    return {(a, c) for a, c in pairs
-            if not any((a, b) in pairs and (b, c) in pairs for b in groups - {a, c})}
-
-
-def arrows(root):
-    """The arrows that docs/architecture.svg has to show, as words."""
-    return {f"{user} includes {used}" for user, used in direct(includes(root))}
+def levels(root):
+    """{group: its level}: one above the highest of all that it includes; the lowest is 0."""
+    used = {}
+    for user, below in includes(root):
+        used.setdefault(user, set()).add(below)
+        used.setdefault(below, set())
+    found = {}
+    while len(found) < len(used):
+        free = [name for name in used if name not in found and used[name] <= set(found)]
+        if not free:
+            raise ValueError("these include each other: " + ", ".join(set(used) - set(found)))
+        found |= {name: 1 + max((found[other] for other in used[name]), default=-1)
+                  for name in free}
+    return found

@@ -2,13 +2,14 @@
 import numpy as np
 
 import style
-from chapter_06 import FORMULA, metres
+from chapter_06 import FORMULA
 from style import COLOURS, PALE, rows
 
-LOOKS = {"cold": 0, "warm": 1, "turned": 1, "fixed": 0, "interleaved": 1, "joints first": 0,
-         "contacts first": 5, "no ground": 2, "gravity": 2, "collision": 1, "contact last": 0}
-NAMES = {"gravity": "no ground", "collision": "hits the ground",
-         "contact last": "hits it,\ncontact solved\nafter the joint"}
+LOOKS = {"cold": 0, "warm": 1, "turned": 1, "fixed": 0, "interleaved": 0, "joints first": 1,
+         "contacts first": 2, "no ground": 3, "gravity": 2, "collision": 1, "contact last": 0}
+NAMES = {"interleaved": "one loop", "joints first": "joints\nfirst",
+         "contacts first": "contacts\nfirst",
+         "gravity": "no ground", "collision": "hits the ground", "contact last": "hits it,\ncontact solved\nafter the joint"}
 
 
 def parts(table, column):
@@ -31,46 +32,6 @@ def over_time(ax, solution, mine, column, by=None, clean=np.asarray, decades=3, 
             ax.plot(part["time_s"], clean(part[column]), label="_", **FORMULA)
         style.hold(ax, clean(mine[column]), clean(solution[column]), decades)
     ax.set_xlabel("time  [s]")
-
-
-def draw_machines(table, _, out):
-    names = list(dict.fromkeys(table["machine"]))
-    counts, edge = np.unique(table["iterations"]), 1e-5
-    thirty = rows(table, iterations=30)
-    sizes = np.nan_to_num(thirty["gap_rms_m"], nan=np.inf)
-    figure, axes = style.figure("Gaps and depths of the machines", 2, sharey=True)
-    if len(sizes):
-        style.entitle(figure, f"With 30 iterations the joints of the machines open by "
-                      f"{metres(np.max(sizes))} (RMS) at most, of the "
-                      f"{thirty['machine'][np.argmax(sizes)]}; corners sink in by at most "
-                      f"{metres(np.max(thirty['penetration_max_m']))}")
-
-    def place(name, count):
-        """A line for every machine, and on it one above the other each count of iterations."""
-        own = sorted(rows(table, machine=name)["iterations"])
-        return -names.index(name) + 0.26 * (own.index(count) - (len(own) - 1) / 2)
-    for ax, column in zip(axes, ("gap_rms_m", "penetration_max_m")):
-        for n, count in enumerate(counts):
-            part = rows(table, iterations=count)
-            for name, size in zip(part["machine"], part[column]):
-                if np.isfinite(size):
-                    ax.plot(max(size, edge), place(name, count), clip_on=False,
-                            color=COLOURS[n % 6], markersize=6,
-                            marker="<" if size < edge else "os^Dvp"[n % 6])
-                if ax is axes[1]:
-                    ax.annotate(f"{count:g} iterations", (1.03, place(name, count)),
-                                xycoords=("axes fraction", "data"), color=COLOURS[n % 6],
-                                fontsize=8, va="center", annotation_clip=False)
-        ax.set(xscale="log", ylim=(0.6 - len(names), 0.6), xlim=(edge, 0.2))
-        style.metres_log(ax.xaxis, 1)
-        ax.grid(axis="y", visible=False)
-        ax.tick_params(axis="y", length=0)
-    axes[0].set_yticks([-n for n in range(len(names))], names)
-    less = f"arrow: less than {metres(edge)}"
-    axes[0].set(xlabel="gap of the joints, RMS",
-                title=less)
-    axes[1].set(xlabel="deepest corner in the ground")
-    style.save(figure, out / "08_machines")
 
 
 def draw_wheels(table, _, out):

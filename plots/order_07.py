@@ -2,12 +2,13 @@
 
 geometry_07.py draws it, order.svg.
 """
-from drawing import ARROW, BODY1, BODY2, CARD, FAINT, INK, draw, named, words
+from drawing import (ARROW, BODY1, BODY2, CARD, FAINT, INK, LEVER, below, draw, named, title,
+                     words)
 from matplotlib.patches import Circle, Rectangle
 
 JOINTS, CELL = 8, 34.0
 SHADE = named("block")
-COLOURS = (BODY1, BODY2, ARROW, named("lever"), named("fifth"))  # of joints, each a number
+COLOURS = (BODY1, BODY2, ARROW, LEVER, named("fifth"))  # of joints, each a number
 
 
 def joint(ax, place, colour):
@@ -34,10 +35,10 @@ def solved(errors, chosen):
     return errors
 
 
-def table(ax, corner, rows, title):
+def table(ax, corner, rows, said):
     """Rows (label, errors, the joints just solved), from the top."""
     x, y = corner
-    words(ax, (x + JOINTS * CELL / 2, 352), title, size=12.5, weight="bold")
+    title(ax, x + JOINTS * CELL / 2, said)
     for i, (label, errors, now) in enumerate(rows):
         top = y - (CELL + 12) * i
         words(ax, (x - 10, top - CELL / 2), label, FAINT, 10.5, ha="right")
@@ -64,8 +65,7 @@ def chain_order(ax):
     for j in range(JOINTS):
         words(ax, (92 + CELL * (j + 0.5), 300), str(j + 1), FAINT, 10.5)
     words(ax, (40, 300), "joint", FAINT, 10.5)
-    words(ax, (92 + JOINTS * CELL / 2, 28), "framed: just solved; the wall is on the left",
-          FAINT, 11)
+    below(ax, 92 + JOINTS * CELL / 2, "framed: just solved; the wall is on the left")
 
 
 def by_colours(ax):
@@ -85,9 +85,9 @@ def by_colours(ax):
         joint(ax, (x + CELL * (j + 0.5), 301), j % 2)
     words(ax, (x + JOINTS * CELL / 2, 120), "the mean is 1 in both,", FAINT, 11)
     words(ax, (x + JOINTS * CELL / 2, 98), "the RMS is $\\sqrt{2}$ times as large", FAINT, 11)
-    words(ax, (x + JOINTS * CELL / 2, 28), "the middle of a long chain", FAINT, 11)
+    below(ax, x + JOINTS * CELL / 2, "the middle of a long chain")
 
 
 def picture(usage):
     """To the path on the command line."""
-    draw(usage, "order_07", (chain_order, by_colours), (386,), width=810)
+    draw(usage, "order_07", order=((chain_order, by_colours), (0, 810, 0, 380), 386))

@@ -1,20 +1,17 @@
-"""Chapter 7's roofline: the loop's variants under what the machine can do, as it was measured.
+"""Chapter 7's roofline: the loop's variants, each as a share of what the machine can do.
 
 geometry_07.py draws it, roofline.svg.
 """
 import pathlib
 
-import numpy as np
 import style
-from style import COLOURS, INK, PALE
+from style import COLOURS, INK
 
 MEASURED = pathlib.Path(__file__).absolute().parents[1] / "bench" / "measured"
 OPERATIONS, BYTES = 171, 44 * 4  # of a solve: Eq. 7-6, and the numbers of a hinge in float
 USED = 10 / 16  # of the lanes, one chain per lane: Eq. 7-7
-ONE_LANE = (("whole-joint", "one hinge at a time", COLOURS[3]),
-            ("interleaved", "interleaved", COLOURS[5]))
-LANES = (("lanes coloured", "lanes and colours", COLOURS[2]),
-         ("lanes", "one chain per lane", COLOURS[1]))
+LOOKS = (("whole-joint", "one hinge\nat a time"), ("interleaved", "interleaved"),
+         ("lanes coloured", "lanes\nand colours"), ("lanes", "one chain\nper lane"))
 
 
 def rate(table, variant):
@@ -30,36 +27,30 @@ def picture(path):
     roofs = style.read_csv(MEASURED / "roofs.csv", ("lanes", "per_ns"), ("roof",))
     one, eight = (style.rows(roofs, roof="arithmetic", lanes=lanes)["per_ns"][0]
                   for lanes in (1, 8))
-    cache = style.rows(roofs, roof="cache")["per_ns"][0]
-    at, fast = OPERATIONS / BYTES, rate(loop, "lanes") / USED
+    cache = style.rows(roofs, roof="cache")["per_ns"][0] * OPERATIONS / BYTES
+    top = min(eight, cache)
+    shares = [100 * rate(loop, variant) / top for variant, _ in LOOKS]
     figure, ax = style.figure(
-        f"With its empty lanes the loop does {fast:.0f} operations per ns of the "
-        f"{min(eight, cache * at):.0f} for which the cache delivers the data")
-    x = np.geomspace(0.1, 10, 100)
-    ax.plot(x, np.minimum(cache * x, eight), color=INK)
-    ax.plot(x, np.minimum(cache * x, one), color=PALE, linestyle="--")
-    ax.text(0.14, cache * 0.14 * 1.25, f"cache: {cache:.0f} bytes per ns", rotation=38,
-            rotation_mode="anchor", fontsize=8.5)
-    ax.text(9.6, eight * 1.08, f"eight lanes: {eight:.0f} per ns", ha="right", fontsize=8.5)
-    ax.text(9.6, one * 1.08, f"one lane: {one:.0f} per ns", ha="right", fontsize=8.5, color=PALE)
-    for variant, words, colour in ONE_LANE + LANES:
-        ax.plot(at, rate(loop, variant), "o", color=colour, markersize=7)
-        down = -9 if words == "lanes and colours" else -3
-        ax.annotate(f"{words}: {rate(loop, variant):.3g}", (at, rate(loop, variant)),
-                    xytext=(9, down), textcoords="offset points", fontsize=8.5, color=colour)
-    ax.plot([at, at], [fast, min(eight, cache * at)], color=LANES[1][2], linewidth=0.8,
-            linestyle=":")
-    ax.annotate(f"{min(eight, cache * at):.0f} = {at:.2f} operations per byte · {cache:.0f} bytes",
-                (at, min(eight, cache * at)), xytext=(-8, 26), ha="right", fontsize=8.5,
-                textcoords="offset points", color=LANES[1][2],
-                arrowprops={"arrowstyle": "-", "color": LANES[1][2], "linewidth": 0.8})
-    ax.plot(at, fast, "o", color=LANES[1][2], markersize=7, markerfacecolor="white")
-    ax.annotate(f"the same with its empty lanes: {fast:.3g}", (at, fast), xytext=(9, -3),
-                textcoords="offset points", fontsize=8.5, color=LANES[1][2])
-    ax.set(xscale="log", yscale="log", xlim=(0.1, 10), ylim=(4, 200),
-           xlabel="operations per byte of a hinge",
-           ylabel="operations per ns", title="float, ten chains, one machine")
-    style.plain_log(ax.xaxis)
-    style.plain_log(ax.yaxis)
+        f"One chain per lane: {max(shares):.0f} % of what the machine can do; one hinge at a "
+        f"time: {min(shares):.0f} %")
+    for place, (share, (variant, words)) in enumerate(zip(shares, LOOKS)):
+        ax.barh(-place, share, 0.62, color=COLOURS[1 if "lane" in variant else 2])
+        ax.text(share + (-1 if share > 20 else 0.7), -place, f"{share:.0f} %", va="center",
+                fontsize=10, zorder=5, ha="right" if share > 20 else "left",
+                color="white" if share > 20 else INK,
+                bbox=None if share > 20 else {"facecolor": "white", "linewidth": 0, "pad": 1})
+        if variant == "lanes":  # every lane computes, and some have no hinge
+            ax.barh(-place, share / USED - share, 0.62, share, facecolor="white",
+                    edgecolor=COLOURS[1], hatch="///", linewidth=1)
+            ax.text(share / USED + 1, -place, f"{share / USED:.0f} % with\nits empty lanes",
+                    va="center", fontsize=10, color=COLOURS[1])
+    for share, words in ((100, "eight lanes"), (100 * one / top, "one lane")):
+        ax.axvline(share, color=INK, linewidth=1.4, linestyle="-" if share == 100 else "--")
+        ax.text(share + (-1 if share == 100 else 1), 0.62, f"limit of {words}", va="center",
+                ha="right" if share == 100 else "left", fontsize=9)
+    ax.set_yticks(range(0, -len(LOOKS), -1), [words for _, words in LOOKS], fontsize=10)
+    ax.tick_params(axis="y", length=0)
+    ax.grid(axis="y", visible=False)
+    ax.set(xlim=(0, 104), ylim=(0.5 - len(LOOKS), 0.8),
+           xlabel=f"of the {top:.0f} operations per ns that the cache can feed  [%]")
     style.save(figure, path / "figure")
-

@@ -28,7 +28,8 @@ def pictures(root, tables):
             "--csv", measured / "methods.csv", "--result"])
     yield (root / "plots/moving.svg", "moving.py",
            ["--motion", tables.run(8, "")[0] / "bridge.motion.json", "--result"])
-    yield root / "docs/architecture.svg", "architecture.py", []
+    for name in ("architecture", "step"):
+        yield root / f"docs/{name}.svg", "architecture.py", []
     yield root / "docs/beside.svg", "peers.py", ["--csv", measured / "peers.csv", "--together"]
     yield (root / "docs/convergence.svg", "convergence.py",
            ["--csv", measured / "convergence.csv", "--out"])

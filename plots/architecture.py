@@ -54,7 +54,7 @@ def cycle(ax):
 def levels(ax):
     """Every group on its level, which is above all that it includes."""
     title(ax, 340, "a folder includes only what stands below it", 500)
-    for name, level in layers.levels(ROOT).items():
+    for name, level in sorted(layers.levels(ROOT).items()):
         row = [other for other in GROUPS if layers.levels(ROOT)[other] == level]
         place = (360 + 152 * (row.index(name) - (len(row) - 1) / 2), 52 + 52 * level)
         box(ax, place, (290 if name == "core" else 144, 40), name, GROUPS[name],

@@ -228,21 +228,6 @@ def draw_rods(table, _, out):
     finish(figure, out / "06_rods", left, right)
 
 
-def draw_between(table, _, out):
-    few = np.isin(table["method"], ("beta 0.05", "beta 0.2", "beta 1", "projection"))
-    table = style.peaks({name: np.asarray(column)[few] for name, column in table.items()}, "method")
-    calm = [(np.max(part["speed_m_s"][part["time_s"] > table["time_s"].max() - 1]), name)
-            for name, part, _, _ in parts(table, "method")]
-    figure, ax = style.figure(
-        f"Kicked between two walls, a straight chain still moves at {max(calm)[0]:.1f} m/s in the "
-        f"last second with {max(calm)[1]}, at {min(calm)[0]:.2f} m/s with {min(calm)[1]}")
-    over_time(ax, table, None, "speed_m_s", "method")
-    ax.axvspan(0, 2.9, color=PALE, alpha=0.12, linewidth=0)
-    ax.text(0.1, 0.96, "three blows", transform=ax.get_xaxis_transform(), va="top", color=PALE)
-    ax.set(ylabel="fastest link  [m/s]", xlim=(0, table["time_s"].max()), ylim=(0, None))
-    finish(figure, out / "06_between", ax)
-
-
 def draw_side_by_side(table, _, out):
     shown = {"projection": "projection\nalone", "beta 0.2": "beta 0.2", "beta 1": "beta 1",
              "beta 1 + 4 substeps": "beta 1,\n4 substeps",
@@ -296,7 +281,6 @@ def tables(folder, command):
             read("beta", "beta predicted measured", "scene"),
             (hanging, read("warm", "links kept safe warm_sag_m cold_sag_m predicted_cold_sag_m")),
             read("rods", "iterations peak_speed_m_s gap_max_m", "method"),
-            read("between", "time_s gap_max_m speed_m_s", "method"),
             read("side_by_side", "iterations gap_rms_m energy_drift", "method"),
             read("budget", "substeps iterations gap_rms_m gap_max_m energy_drift", "method"),
             read("rope", "time_s length_m speed_m_s", "method"))
@@ -305,5 +289,5 @@ def tables(folder, command):
 if __name__ == "__main__":
     style.run(lambda: style.chapter(6, tables, (
         draw_pendulums, draw_drift, draw_correction, draw_energy_and_spin, draw_beta, draw_warm,
-        draw_rods, draw_between, draw_side_by_side, draw_budget, draw_rope),
+        draw_rods, draw_side_by_side, draw_budget, draw_rope),
         result=draw_side_by_side))

@@ -23,11 +23,11 @@ def load(ax):
     dot(ax, p, INK)
     dot(ax, middle, ARROW)
     words(ax, (left + 14, y + 96), "force $F = n\\,m\\,g$", ha="left")
-    words(ax, (left + 56, y + 48), "torque $\\tau_p = n^2 m\\,g\\,L/2$", ha="left")
+    words(ax, (left + 56, y + 48), "torque $\\tau_p = n^2 m\\,g\\,\\ell/2$", ha="left")
     words(ax, (middle[0] + 12, y - 96), "weight $n\\,m\\,g$", ARROW, ha="left")
     words(ax, (left - 8, y), "$p$", size=13, ha="right")
-    measure(ax, (left, y - 52), (middle[0], y - 52), "$nL/2$", (0, -14), size=12)
-    below(ax, 230, "$n$ cubes of mass $m$ and edge $L$, welded to a wall")
+    measure(ax, (left, y - 52), (middle[0], y - 52), "$n\\ell/2$", (0, -14), size=12)
+    below(ax, 230, "$n$ cubes of mass $m$ and edge $\\ell$, welded to a wall")
 
 
 def cube_and_wall(ax, shift):

@@ -8,8 +8,9 @@ from style import COLOURS, PALE, rows
 LOOKS = {"cold": 0, "warm": 1, "turned": 1, "fixed": 0, "interleaved": 0, "joints first": 1,
          "contacts first": 2, "no ground": 3, "gravity": 2, "collision": 1, "contact last": 0}
 NAMES = {"interleaved": "one loop", "joints first": "joints\nfirst",
-         "contacts first": "contacts\nfirst",
-         "gravity": "no ground", "collision": "hits the ground", "contact last": "hits it,\ncontact solved\nafter the joint"}
+         "contacts first": "contacts\nfirst", "gravity": "no ground",
+         "collision": "hits the ground",
+         "contact last": "hits it,\ncontact solved\nafter the joint"}
 
 
 def parts(table, column):

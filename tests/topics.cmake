@@ -47,9 +47,8 @@ foreach(number double float)
   set(suffix ${suffix_of_${number}})
   add_library(oracle${suffix} STATIC oracle/oracle.cpp oracle/rigs.cpp
     oracle/allocations.cpp)
-  target_link_libraries(oracle${suffix} PUBLIC bench_stability${suffix} simd${suffix}
-    ${libraries${suffix}} compare${suffix} instruments${suffix} checker${suffix} dense
-    PRIVATE workbook_strict)
+  target_link_libraries(oracle${suffix} PUBLIC bench_scenes${suffix} simd${suffix}
+    ${libraries${suffix}} instruments${suffix} checker${suffix} dense PRIVATE workbook_strict)
   # joints.h, for the examples of library/examples
   target_include_directories(oracle${suffix} PUBLIC ${PROJECT_SOURCE_DIR}/library)
   target_precompile_headers(oracle${suffix} PRIVATE checker/catch.h oracle/oracle.h)
@@ -73,6 +72,10 @@ foreach(number double float)
     target_link_libraries(${target} PRIVATE oracle${suffix} workbook_strict)
     if(topic MATCHES "^(peers|bullet)$")
       target_link_libraries(${target} PRIVATE bench_peers${suffix})
+    elseif(topic STREQUAL bench)
+      target_link_libraries(${target} PRIVATE bench_stability${suffix})
+    elseif(topic STREQUAL compare)
+      target_link_libraries(${target} PRIVATE compare${suffix})
     endif()
     target_precompile_headers(${target} REUSE_FROM oracle${suffix})
     list_program(topic ${topic} ${number} ${target})

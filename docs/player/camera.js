@@ -48,8 +48,8 @@ function fit(view, points) {
   for (let round = 0; round < 4; ++round) {
     const away = points.map(p => sub(p, centre));
     distance = away.reduce((far, d) => Math.max(far, dot(d, view.back) + view.focal * Math.max(
-      Math.abs(dot(d, view.right)) / (0.46 * view.width),
-      Math.abs(dot(d, view.up)) / (0.44 * view.height))), 0.01);
+      Math.abs(dot(d, view.right)) / (0.48 * view.width),
+      Math.abs(dot(d, view.up)) / (0.46 * view.height))), 0.01);
     if (round === 3) break;
     for (const axis of [view.right, view.up]) {
       const seen = away.map(d => dot(d, axis) / (distance - dot(d, view.back)));

@@ -109,7 +109,8 @@ function measure(scene) {
   });
   const [wide, , deep] = sub(scene.high, scene.low);
   scene.reach = 0.75 * Math.hypot(wide, deep);
-  scene.yaw = wide >= deep ? 0.42 : -Math.PI / 2 + 0.42;  // the long side lies across the picture
+  const aside = innerHeight > 1.3 * innerWidth ? 0.85 : 0.42;  // a telephone sees it from its end
+  scene.yaw = aside - (wide >= deep ? 0 : Math.PI / 2);  // the long side lies across the picture
   find_travellers(scene, live[0], start);
   scene.end = Math.max(...live.map(end));
   scene.step = scene.runs.at(-1).dt;

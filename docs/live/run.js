@@ -66,9 +66,9 @@ async function restart() {
   wrong = refusal = "";
   had = differences();
   for (const panel of panels)
-    Object.assign(panel, {stopped: "", samples: [], errors: null, joints: null, us: 0, used: 0,
-                          counted: 0, now: [0, 0, 0], faults: new Map(), scale: Infinity,
-                          printed: "", driven: []});
+    Object.assign(panel, {stopped: "", samples: [], errors: null, joints: null, forces: null,
+                          us: 0, used: 0, counted: 0, now: [0, 0, 0], faults: new Map(),
+                          scale: Infinity, printed: "", driven: []});
   for (const panel of panels)  // one that cannot be made shows where the scene begins
     panel.run = {...scene.runs[0], label: panel.label, dt: 1,
                  frames: scene.runs[0].frames.slice(0, 1)};
@@ -80,6 +80,7 @@ async function restart() {
     panel.scale = made.energy_scale;
     take_state(panel, made);
   });
+  await find_forces();
 }
 
 // A browser's clock is coarse: microseconds come from twenty steps or more.

@@ -89,7 +89,7 @@ def keys_take_a_body(root, build):
 
 
 def joints_are_drawn(root, build):
-    """anchors, axes, limits, motors and the hand's spring are in the picture, two hues of bodies"""
+    """anchors, axes, limits, motors and, if asked, forces are in the picture"""
     address = address_of(build)
     # Pixels that have these colours, about: lines are thin, and their edges are mixed.
     count = """((...names) => names.map(name => { const c = panels[0].canvas, of = parts(name),
@@ -115,6 +115,12 @@ def joints_are_drawn(root, build):
     here.wait("panels[0].driven[0].strength === 0")
     if here.ask(f"{count}('--motor')")[0] > 20:
         yield "a motor without strength is drawn"
+    before = here.ask(f"{count}('--ink')")[0]
+    here.click("#forces")
+    here.wait("panels[0].forces?.length")
+    here.frame()
+    if (after := here.ask(f"{count}('--ink')")[0]) < before + 20:
+        yield f"forces: {after} pixels of arrows, {before} without"
 
 
 # Of the picture that three.js has drawn: [bodies, joints too, of all pixels; the canvas, of the

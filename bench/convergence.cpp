@@ -47,7 +47,7 @@ struct Found {
 template <class Kind>
 Found by_pieces(Kind solver, int hinges, bool sideways, long most) {
   World exact = chain(hinges, sideways), world = chain(hinges, sideways);
-  DirectSolver direct;
+  DirectSolver direct = DirectSolver::velocities_only();
   begin_step(exact, direct, h);
   direct.solve(exact.bodies);
   begin_step(world, solver, h);
@@ -69,7 +69,7 @@ Found by_pieces(Kind solver, int hinges, bool sideways, long most) {
 template <class Kind>
 Found from_the_beginning(Kind solver, int hinges, bool sideways, long most) {
   World exact = chain(hinges, sideways);
-  DirectSolver direct;
+  DirectSolver direct = DirectSolver::velocities_only();
   begin_step(exact, direct, h);
   direct.solve(exact.bodies);
   for (long k = 1; k <= most; k += std::max(1L, k / 50)) {

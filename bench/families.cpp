@@ -273,7 +273,7 @@ Drawn bricard(Draw draw) {
   const quat q = draw.rotation();
   World& world = scene.world;
   world.gravity = real(g) * draw.direction();
-  DirectSolver solver;
+  DirectSolver solver = DirectSolver::velocities_only();
   solver.newton = 8;
   const int steps = draw.whole(0, 960);
   for (int n = 0; n < steps; ++n) step(world, solver, real(1) / 960, {.leapfrog = true});

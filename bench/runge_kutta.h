@@ -52,7 +52,7 @@ class RungeKutta {
   void stretch_springs(const Bodies& bodies) const;
   void project(World& world);
 
-  DirectSolver solver_;
+  DirectSolver solver_ = DirectSolver::velocities_only();
   real h_ = 0;
   Blocks next_, springs_, next_springs_;  // of the next stage; of joints with a frequency
   Blocks poses_;                          // errors alone

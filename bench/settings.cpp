@@ -204,7 +204,7 @@ Step of_chapter_7(const Way& way, int iterations, std::shared_ptr<std::unique_pt
 }
 
 Step of_the_direct_solver(const Way& way) {
-  DirectSolver solver;
+  DirectSolver solver = DirectSolver::velocities_only();
   solver.newton = way.newton;
   solver.added_inertia = way.added_inertia;
   return [solver, how = stepping_of(way)](World& world, real h) mutable {

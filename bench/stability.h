@@ -101,7 +101,7 @@ struct Watch {
   SequentialImpulses solver{};
   StepOptions stepping{};
   bool finite = true;
-  DirectSolver direct{};
+  DirectSolver direct = DirectSolver::velocities_only();
   void step(real h) {
     if (!finite) return;
     try {

@@ -84,7 +84,7 @@ Setting setting_of(const Method& method) {
                   method.iterations, method.warm, {}, {}, {}, method.direct};
   setting.make = [method]() -> Step {
     if (method.direct) {
-      DirectSolver solver;
+      DirectSolver solver = DirectSolver::velocities_only();
       solver.newton = method.newton;
       solver.added_inertia = method.added_inertia;
       return [=](World& world, real h) mutable {

@@ -33,8 +33,7 @@ struct Method {
 };
 
 template <class S>
-Stepper by(World& world, real beta, const S& settings, const StepOptions& how) {
-  world.set_beta(beta);
+Stepper by(const S& settings, const StepOptions& how) {
   const auto solver = std::make_shared<S>(settings);
   return [=](World& world, real h) {
     step(world, *solver, h, how);
@@ -48,10 +47,9 @@ Stepper by_tree(const std::shared_ptr<Reduced>& tree) {
     return std::vector<std::string>{};
   };
 }
-DirectSolver direct(int newton, real added_inertia = 0) {
+DirectSolver exact() {
   DirectSolver solver;
-  solver.newton = newton;
-  solver.added_inertia = added_inertia;
+  solver.added_inertia = 0;
   return solver;
 }
 PackedImpulses packed(int iterations) {
@@ -64,31 +62,33 @@ PackedImpulses packed(int iterations) {
 const Method methods[] = {
     {"10 iterations, warm", "PackedImpulses solver; solver.iterations = 10; world.set_beta(0.1);\n"
      "step(world, solver, h, {.warm_start = true});",
-     [](World& w) { return by(w, real(0.1), packed(10), {.warm_start = true}); }},
+     [](World& w) { w.set_beta(real(0.1)); return by(packed(10), {.warm_start = true}); }},
     {"30 iterations", "PackedImpulses solver; solver.iterations = 30;\nstep(world, solver, h);",
-     [](World& w) { return by(w, real(0.2), packed(30), {}); }},
+     [](World&) { return by(packed(30), {}); }},
     {"4 substeps of 8", "PackedImpulses solver; solver.iterations = 8; world.set_beta(1);\n"
      "step(world, solver, h, {.substeps = 4});",
-     [](World& w) { return by(w, 1, packed(8), {.substeps = 4}); }},
+     [](World& w) { w.set_beta(1); return by(packed(8), {.substeps = 4}); }},
     {"16 substeps of 2", "PackedImpulses solver; solver.iterations = 2; world.set_beta(1);\n"
      "step(world, solver, h, {.substeps = 16});",
-     [](World& w) { return by(w, 1, packed(2), {.substeps = 16}); }},
-    {"direct", "DirectSolver solver; world.set_beta(1);\n"
+     [](World& w) { w.set_beta(1); return by(packed(2), {.substeps = 16}); }},
+    {"direct, velocities only",
+     "DirectSolver solver = DirectSolver::velocities_only(); world.set_beta(1);\n"
      "step(world, solver, h, {.leapfrog = true});",
-     [](World& w) { return by(w, 1, direct(0), {.leapfrog = true}); }},
-    {"direct, exact positions", "DirectSolver solver; solver.newton = 8; world.set_beta(1);\n"
+     [](World& w) {
+       w.set_beta(1);
+       return by(DirectSolver::velocities_only(), {.leapfrog = true});
+     }},
+    {"direct, no added inertia", "DirectSolver solver; solver.added_inertia = 0;\n"
      "step(world, solver, h, {.leapfrog = true});",
-     [](World& w) { return by(w, 1, direct(8), {.leapfrog = true}); }},
-    {"the default", "DirectSolver solver; solver.newton = 8; solver.added_inertia = 8;\n"
-     "world.set_beta(1); step(world, solver, h, {.leapfrog = true});",
-     [](World& w) { return by(w, 1, direct(8, 8), {.leapfrog = true}); }},
+     [](World&) { return by(exact(), {.leapfrog = true}); }},
+    {"the default", "DirectSolver solver;\nstep(world, solver, h, {.leapfrog = true});",
+     [](World&) { return by(DirectSolver(), {.leapfrog = true}); }},
     {"the default, 4 substeps",
-     "DirectSolver solver; solver.newton = 8; solver.added_inertia = 8;\n"
-     "world.set_beta(1); step(world, solver, h, {.substeps = 4, .leapfrog = true});",
-     [](World& w) { return by(w, 1, direct(8, 8), {.substeps = 4, .leapfrog = true}); }},
-    {"direct, 4 substeps, warm", "DirectSolver solver; solver.newton = 8; world.set_beta(1);\n"
+     "DirectSolver solver;\nstep(world, solver, h, {.substeps = 4, .leapfrog = true});",
+     [](World&) { return by(DirectSolver(), {.substeps = 4, .leapfrog = true}); }},
+    {"direct, 4 substeps, warm", "DirectSolver solver; solver.added_inertia = 0;\n"
      "step(world, solver, h, {.warm_start = true, .substeps = 4});",
-     [](World& w) { return by(w, 1, direct(8), {.warm_start = true, .substeps = 4}); }},
+     [](World&) { return by(exact(), {.warm_start = true, .substeps = 4}); }},
     {"reduced coordinates", "Reduced tree(world); tree.step(world, h);",
      [](World& w) {
        const auto tree = std::make_shared<Reduced>(w);

@@ -13,6 +13,13 @@ static constexpr int most_again = 4;
 // Largest number of corrections in reach().
 static constexpr int rounds = 12;
 
+DirectSolver DirectSolver::velocities_only() {
+  DirectSolver solver;
+  solver.newton = 0;
+  solver.added_inertia = 0;
+  return solver;
+}
+
 void DirectSolver::check() const {
   require(newton >= 0, "newton", real(newton), "must not be negative");
   require(tolerance > 0, "tolerance", real(tolerance), "must be positive [m/s^2]");

@@ -15,18 +15,19 @@ namespace joints {
 /// and the positions are corrected with one factor. Bounds are satisfied by an active-set method.
 /// Rows whose bound depends on another impulse (friction), and the rows of these impulses, stay
 /// outside A: iterations over them alternate with a solve of all others. The solver always
-/// calculates in double. It solves each island by itself (JointIslands). Give every joint beta = 1.
+/// calculates in double. It solves each island by itself (JointIslands). As it is constructed it is
+/// the one to take if you are not sure; add the step's `leapfrog` where the energy matters.
 /// Source: Baraff 1996 for the idea; Davis 2006 for sparse factors; Judice and Pires 1994, and
 /// Stark and Parker 1995, for the passes of the active set.
 class DirectSolver : public Solver {
  public:
   /// Largest number of iterations on the positions (SHAKE) before secants take over, and after them
   /// the full method with the factors of the new poses; 0: no such iterations.
-  int newton = 0;
+  int newton = 8;
   /// Errors of positions of at most this times h^2 are not corrected [m/s^2 or rad/s^2], nor those
   /// that are only rounding: a smaller correction changes no acceleration by more than this.
   double tolerance = 3e-4;
-  real added_inertia = 0;  ///< kappa of Eq. 9-14: 8 for added inertia, 0 for none (AddedInertia)
+  real added_inertia = 8;  ///< kappa of Eq. 9-14; 0: no added inertia (AddedInertia)
   /// Rows in closed loops are softened by this fraction of their K, and the solution is refined
   /// once, so that rows that nearly depend on others get no large impulses.
   double softening = sizeof(real) == 4 ? 1e-5 : 1e-8;
@@ -42,6 +43,9 @@ class DirectSolver : public Solver {
   PivotInverse inverse = inverse_pivot;  ///< how dependent rows are treated
 
   DirectSolver() { fallback.split_iterations = fallback.iterations; }
+  /// One that corrects velocities alone: without iterations on the positions and added inertia.
+  /// Then give every joint beta = 1, or its error stays.
+  static DirectSolver velocities_only();
 
   /// Counts of the last step.
   struct Report : Positions::Report {

@@ -86,7 +86,7 @@ void Positions::change_rates(std::vector<double>& rates) {
     for (const SystemBlock& block : system.blocks)
       std::copy_n(rates.data() + block.row - base_, block.rows, &system.x[system.row_of(block)]);
     system.load(bodies_);
-    system.change();
+    system.change_within_bounds();
     system.store(bodies_);
   });
 }

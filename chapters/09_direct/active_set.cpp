@@ -1,6 +1,7 @@
 // The bounds of a system, by an active set: passes solve the free rows exactly and then change the
 // sides of others.
 #include <algorithm>
+#include <cmath>
 
 #include "chapters/09_direct/joint_system.h"
 
@@ -76,6 +77,24 @@ void JointSystem::flip_wrong_ones(Progress& progress) {
   in_vain = wrong < fewest ? 0 : in_vain + 1;
   fewest = std::min(fewest, wrong);
   inside_ = inside_ || in_vain >= patience;
+}
+
+void JointSystem::change_within_bounds() {
+  change();
+  for (;;) {
+    for (BoundedRow& row : bounded) {
+      if (row.side != Side::free || std::isinf(row.lower) || std::isinf(row.upper)) continue;
+      row.side = next_side(Side::free, impulse[last_row(row)], row.lower, row.upper, 0);
+      if (row.side != Side::free) factored = false;
+    }
+    if (factored) return;
+    for (std::size_t k = 0; k < columns_.size(); ++k) rates_of(int(k), &wanted_[A.nodes[k].row]);
+    factor_now();
+    go_to_bounds();
+    for (std::size_t k = 0; k < columns_.size(); ++k) rates_of(int(k), &x[A.nodes[k].row]);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = wanted_[i] - x[i];
+    change();
+  }
 }
 
 void JointSystem::solve(int most_passes, bool refine) {

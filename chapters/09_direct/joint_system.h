@@ -85,6 +85,9 @@ class JointSystem {
   void factor_now();  ///< assembles A and factors it, softened, without the rows at a bound
   /// Changes impulses and velocities so that J V of all free rows changes by `x`.
   void change();
+  /// The same, but rows whose impulse would exceed one of two finite bounds, as those of motors do,
+  /// end at this bound, and the others change as required without them.
+  void change_within_bounds();
   /// Solves until all rows are satisfied. \param most_passes of the active set \param refine false
   /// if it will be called again in this step
   void solve(int most_passes, bool refine);

@@ -27,7 +27,6 @@ struct Hoist {
       links.push_back(&world.add<BallJoint>(before, link, top));
       before = link;
     }
-    world.set_beta(1);
   }
   // The widest gap of a joint now [m].
   real gap() const {
@@ -61,8 +60,6 @@ int main() {
   play("30 iterations", first, [&] { step(first.world, iterations, h); });
 
   DirectSolver direct;
-  direct.newton = 8;
-  direct.added_inertia = 8;
   const bool held = play("direct", second,
                          [&] { step(second.world, direct, h, {.leapfrog = true}); });
 

@@ -128,9 +128,7 @@ TEST_CASE("the table names the fastest method that meets the wish, or says that 
 
 TEST_CASE("a method moves bodies to the last bit as it does without being measured") {
   World world = chain(4, 1, 1);
-  world.set_beta(1);
   DirectSolver solver;
-  solver.newton = 8;
   for (int n = 0; n < 29; ++n) step(world, solver, h, {.leapfrog = true});
   Wish wish{.seconds = 0.5};
   bool met = false;

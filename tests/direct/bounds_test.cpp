@@ -136,7 +136,7 @@ TEST_CASE("motors and limits end on the sides that are left when all others are 
   double passes = 0, worst = 0;
   while (cases < (is_float ? 200 : 1000)) {
     World world = driven(random);
-    DirectSolver solver;
+    DirectSolver solver = DirectSolver::velocities_only();
     begin_step(world, solver, h);
     const Enumerated hard(world);
     if (hard.bounded == 0) continue;

@@ -58,7 +58,7 @@ TEST_CASE("S1 a hundred cubes hang together to nanometres for five seconds, with
 
 TEST_CASE("S1 velocities alone leave a hundred cubes gaps of millimetres") {
   Scene scene = hinged_cubes(100);
-  DirectSolver solver;
+  DirectSolver solver = DirectSolver::velocities_only();
   const Watched seen = watch(scene, solver, 5, h);
   CHECK(seen.gap < 1e-2);
   CHECK(seen.gap > 1e-5);  // what the positions' own iterations are for

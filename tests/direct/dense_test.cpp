@@ -36,7 +36,7 @@ TEST_CASE("velocities of any mechanism with loops are those of a dense solve") {
     feed_back_all(world);
     displace_at_random(world.bodies, random, real(0.02));
     push_at_random(world.bodies, random);
-    DirectSolver solver;
+    DirectSolver solver = DirectSolver::velocities_only();
     begin_step(world, solver, h);
     const Solved dense(world, 1);
     if (dense.smallest < 1e-6) continue;  // nearly dependent: no solver is exact there
@@ -76,7 +76,7 @@ TEST_CASE("rows of any numbers between any bodies are solved as a dense system")
     add(std::integral_constant<int, 3>{}, 5, 1);
     add(std::integral_constant<int, 1>{}, 0, 4);
     push_at_random(world.bodies, random);
-    DirectSolver solver;
+    DirectSolver solver = DirectSolver::velocities_only();
     begin_step(world, solver, h);
     const Solved dense(world, 1);
     if (dense.smallest < 1e-4) continue;
@@ -103,7 +103,7 @@ TEST_CASE("the direct solver finds what 30,000 iterations find, impulses and vel
     }
     push_at_random(world->bodies, random, 1);
   }
-  DirectSolver solver;
+  DirectSolver solver = DirectSolver::velocities_only();
   SequentialImpulses many;
   many.iterations = 30000;  // a chain of hinges: many are needed
   step(direct, solver, h);
@@ -128,7 +128,7 @@ TEST_CASE("joints twice over are held once: the second one's rows depend on the 
       world->add<HingeJoint>(a, b, vec3(real(3.5), 0, 0), vec3(0, 1, 1));
     push_at_random(world->bodies, random);
   }
-  DirectSolver one, other;
+  DirectSolver one = DirectSolver::velocities_only(), other = one;
   step(once, one, h);
   step(twice, other, h);
   CHECK(one.dependent() == 0);

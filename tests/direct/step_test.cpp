@@ -98,7 +98,7 @@ TEST_CASE("one solver serves two worlds in turn") {
 
 TEST_CASE("Newton's method may be switched off, and nothing of it is left") {
   Scene scene = heavy_chain(8, 10);
-  DirectSolver solver = shake(), fresh;
+  DirectSolver solver = shake(), fresh = with(0);
   run(scene.world, solver, 30);
   solver.newton = 0;
   run(scene.world, solver, 1);
@@ -139,7 +139,7 @@ TEST_CASE("steps whose length changes keep a chain together, and its energy") {
 
 TEST_CASE("warm starting changes nothing that the direct solver finds") {
   World warm = machine(), cold = machine();
-  DirectSolver one, other;
+  DirectSolver one = DirectSolver::velocities_only(), other = one;
   for (int n = 0; n < 30; ++n) {
     step(warm, one, h, {.warm_start = true, .leapfrog = true});
     step(cold, other, h, second_order);

@@ -30,33 +30,24 @@ void play_crowd(World& world, int steps) {
 
 // The default: a hoist whose links carry 1,000 times their mass, arms, cylinders, wheels.
 void play(World& world, int steps) {
-  world.set_beta(1);
   DirectSolver solver;
-  solver.newton = 8;
-  solver.added_inertia = 8;
   for (int n = 0; n < steps; ++n)
     step(world, solver, real(1) / 60, {.leapfrog = true});
 }
 
 // An arm whose drives move a tool to within 0.1 mm: the default in two substeps.
 void play_arm(World& world, int steps) {
-  world.set_beta(1);
   DirectSolver solver;
-  solver.newton = 8;
-  solver.added_inertia = 8;
   for (int n = 0; n < steps; ++n)
     step(world, solver, real(1) / 60, {.substeps = 2, .leapfrog = true});
 }
 
 // Chains, arms, ragdolls and boxes in one scene: four substeps, warm, soft contacts.
 void play_everything(World& world, int steps) {
-  world.set_beta(1);
   for (const auto& joint : world.joints())
     if (auto* contact = dynamic_cast<GroundContact*>(joint.get()))
       contact->frequency = 60, contact->damping = 10;
   DirectSolver solver;
-  solver.newton = 8;
-  solver.added_inertia = 8;
   for (int n = 0; n < steps; ++n)
     step(world, solver, real(1) / 60, {.warm_start = true, .substeps = 4});
 }

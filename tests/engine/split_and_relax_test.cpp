@@ -281,7 +281,7 @@ TEST_CASE("where a direct solver has to iterate, a split impulse or relax iterat
   for (const TwoPassImpulses& kind : {relaxing(), splitting()}) {
     Track track({0, real(1.1)}, {1});
     track.join(0, 1, 1);
-    DirectSolver solver;
+    DirectSolver solver = DirectSolver::velocities_only();
     solver.fallback = kind;
     for (const bool iterated : {false, true}) {
       solver.most_work = iterated ? 0 : 3000;

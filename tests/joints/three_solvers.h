@@ -18,7 +18,7 @@ inline std::vector<std::unique_ptr<Solver>> three_solvers(int iterations) {
   };
   iterated(std::make_unique<SequentialImpulses>());
   iterated(std::make_unique<PackedImpulses>());
-  out.push_back(std::make_unique<DirectSolver>());
+  out.push_back(std::make_unique<DirectSolver>(DirectSolver::velocities_only()));
   return out;
 }
 

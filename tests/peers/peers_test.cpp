@@ -73,7 +73,7 @@ TEST_CASE("the first step of every peer that does not iterate has the exact acce
       const bool soft = peer.engine == "ODE";
       const double h = soft ? 1.0 / 60 : 1e-4, share = !in_double ? 4e-2 : soft ? 2e-2 : 2e-5;
       exact = entry.make();
-      DirectSolver solver;
+      DirectSolver solver = DirectSolver::velocities_only();
       begin_step(exact.world, solver, real(h));
       solver.solve(exact.world.bodies);
       const std::vector<Body> unmoved(exact.world.bodies.begin(), exact.world.bodies.end());
@@ -107,7 +107,7 @@ TEST_CASE("the Runge-Kutta steps of the peers come to the references of the accu
 TEST_CASE("every peer's pendulum swings as the exact one does") {
   const bench::MakeScene make = [] { return bench::cubes_on_hinges(1, 2); };
   bench::BenchScene exact = make();
-  DirectSolver solver;
+  DirectSolver solver = DirectSolver::velocities_only();
   solver.newton = 8;
   exact.world.set_beta(1);
   for (int n = 0; n < 1000; ++n)

@@ -16,7 +16,7 @@ void errors_after_a_second(const Choice& choice) {
   CsvFile table(choice.out + "/bricard_after.csv", {"newton", "steps_per_s", "off_m"});
   const auto after = [](int newton, int rate) {
     Scene scene = bricard();
-    DirectSolver direct;
+    DirectSolver direct = DirectSolver::velocities_only();
     direct.newton = newton;
     scene.h = real(1) / real(rate);
     const auto leap = leaps(scene, direct);
@@ -48,7 +48,7 @@ void bricards(const Choice& choice, std::vector<Summary>& lines) {
   const double seconds = 2 * choice.seconds;
   {
     Scene scene = bricard();
-    DirectSolver direct;
+    DirectSolver direct = DirectSolver::velocities_only();
     direct.newton = 8;
     lines.push_back(play(scene, "direct", seconds, choice.out + "/bricard.motion.json",
                          rows_of("softened", scene), leaps(scene, direct)));
@@ -57,7 +57,7 @@ void bricards(const Choice& choice, std::vector<Summary>& lines) {
   }
   {
     Scene scene = bricard();
-    DirectSolver plain;
+    DirectSolver plain = DirectSolver::velocities_only();
     plain.newton = 8;
     plain.softening = 0;
     plain.inverse = plain_inverse;
@@ -66,7 +66,7 @@ void bricards(const Choice& choice, std::vector<Summary>& lines) {
   }
   {
     Scene scene = bricard();
-    DirectSolver unused;
+    DirectSolver unused = DirectSolver::velocities_only();
     const Method few{choice.iterations};
     lines.push_back(play(scene, few.name(), seconds, "", rows_of(few.name(), scene),
                          steps_of(scene, few, unused)));
@@ -89,7 +89,7 @@ void bars(const Choice& choice, std::vector<Summary>& lines) {
   four_bars(6).print_plan();
   for (const Method& method : {Method{0}, Method{choice.iterations}}) {
     Scene scene = four_bars(6);
-    DirectSolver direct;
+    DirectSolver direct = DirectSolver::velocities_only();
     direct.newton = 8;
     const double start = energy_of(scene);
     double least = 0, most = 0, off = 0;

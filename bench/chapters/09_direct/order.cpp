@@ -103,7 +103,7 @@ std::vector<int> shuffled(std::vector<int> list) {
 
 // How far a hub is below its place at most in five seconds [m].
 double sag(Scene&& scene) {
-  DirectSolver direct;
+  DirectSolver direct = DirectSolver::velocities_only();
   direct.newton = 8;
   const auto leap = leaps(scene, direct);
   double most = 0;
@@ -120,7 +120,7 @@ void hubs(const Choice& choice) {
   int most = 0;
   for (const int arms : {1, 2, 5, 10, 20, 30, 40, 50, 60, 80, 100}) {
     Scene scene = star(arms);
-    DirectSolver direct;
+    DirectSolver direct = DirectSolver::velocities_only();
     leaps(scene, direct)();
     Graph graph = star_graph(arms + 1, 1);  // one joint holds the hub
     graph.rows = 3;

@@ -57,7 +57,7 @@ void rings(const Choice& choice) {
   CsvFile table(choice.out + "/rings.csv", {"bodies", "ways", "rows", "dependent", "fill"});
   for (const int bodies : {4, 5, 6, 7, 8}) {
     Scene scene = ring_of(bodies);
-    DirectSolver direct;
+    DirectSolver direct = DirectSolver::velocities_only();
     leaps(scene, direct)();
     table.row({double(bodies), 6.0 * bodies, 5.0 * bodies, double(direct.dependent()),
                double(direct.report().fill)});
@@ -79,7 +79,7 @@ void kept_rates(const Choice& choice) {
   for (const bool rates : {true, false})
     for (const double ratio : {1.0, 100.0, 1e4, 1e6}) {
       Scene scene = heavy_chain(10, real(ratio));
-      DirectSolver more;
+      DirectSolver more = DirectSolver::velocities_only();
       KeepsRates keeps;
       DirectSolver& direct = rates ? keeps : more;
       direct.newton = 8;

@@ -62,7 +62,7 @@ void time_steps(const Choice& choice) {
       real(1) / real(finest), [&](World& world, real h) { reference.step(world, h); });
   for (const bool second : {false, true}) {
     const std::string name = second ? "leapfrog" : "plain";
-    DirectSolver direct;
+    DirectSolver direct = DirectSolver::velocities_only();
     direct.newton = 8;
     const auto advance = [&](World& world, real h) {
       second ? second_order_step(world, direct, h) : step(world, direct, h);
@@ -88,7 +88,7 @@ void newton(const Choice& choice) {
   for (const int most : {0, 8})
     for (int rate = 15; rate <= 480; rate *= 2) {
       Scene scene = three_slabs();
-      DirectSolver direct;
+      DirectSolver direct = DirectSolver::velocities_only();
       direct.newton = most;
       scene.h = real(1) / real(rate);
       const Summary line = play(scene, "", until, "", [](double) {}, leaps(scene, direct));
@@ -97,7 +97,7 @@ void newton(const Choice& choice) {
   CsvFile table(choice.out + "/newton.csv", {"scene", "h_s", "iteration", "error"});
   const auto show = [&](Scene&& scene, int rate, int steps_before) {
     DirectSolver before, direct;  // a new solver has no predicted correction
-    before.newton = direct.newton = 8;
+    before.added_inertia = direct.added_inertia = 0;
     scene.h = real(1) / real(rate);
     for (int n = 0; n < steps_before; ++n) leaps(scene, before)();
     leaps(scene, direct)();
@@ -111,7 +111,7 @@ void newton(const Choice& choice) {
   for (const int rate : {15, 60, 240}) show(three_slabs(), rate, rate / 2);
   show(taut_chain(10), 60, 0);
   Scene taut = taut_chain(10);
-  DirectSolver direct;
+  DirectSolver direct = DirectSolver::velocities_only();
   direct.newton = 8;
   const double gap = play(taut, "", choice.seconds, "", [](double) {}, leaps(taut, direct)).gap_max;
   std::printf("taut, for %g s: a gap of %.2g m at most\n", choice.seconds, gap);

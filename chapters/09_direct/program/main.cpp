@@ -21,7 +21,7 @@ void sideways(const Choice& choice, std::vector<Summary>& lines) {
   sideways_chains(1, 101).print_plan();
   for (const Method& method : methods(choice)) {
     Scene scene = sideways_chains(1, 101);
-    DirectSolver direct;
+    DirectSolver direct = DirectSolver::velocities_only();
     direct.newton = 8;
     double furthest = 0;
     lines.push_back(play(
@@ -43,7 +43,7 @@ void sagging(const Choice& choice, std::vector<Summary>& lines) {
   beam(20).print_plan();
   for (const Method& method : methods(choice)) {
     Scene scene = beam(20);
-    DirectSolver direct;
+    DirectSolver direct = DirectSolver::velocities_only();
     direct.newton = 8;
     const auto sag = [&] { return 0 - double(all_of(scene.world.bodies).back().x.y); };
     double most = 0;
@@ -63,7 +63,7 @@ void alone() {
   const auto end_after = [](real h) {
     Scene scene = sideways_chains(1, 4);
     scene.world.gravity.x = 0;
-    DirectSolver direct;
+    DirectSolver direct = DirectSolver::velocities_only();
     for (int n = 0; n < steps_in(1, h); ++n) second_order_step(scene.world, direct, h);
     return all_of(scene.world.bodies).back().x;
   };
@@ -75,7 +75,7 @@ void alone() {
     Scene scene = sideways_chains(1, 11);
     Body& end = scene.world.bodies.at(10);
     end.inverse_mass /= 10000, end.inverse_inertia_local /= real(10000);
-    DirectSolver direct;
+    DirectSolver direct = DirectSolver::velocities_only();
     direct.newton = 8, direct.added_inertia = kappa;
     int halved = 0;
     for (int n = 0; n < 300; ++n) {
@@ -89,7 +89,7 @@ void alone() {
   scene.world.gravity = vec3(0);
   auto& hinge = static_cast<HingeJoint&>(*scene.world.joints().front());
   hinge.set_limits(real(-0.1), real(0.1)), hinge.set_motor(2, 50);
-  DirectSolver direct;
+  DirectSolver direct = DirectSolver::velocities_only();
   for (int n = 0; n < 60; ++n) step(scene.world, direct, h);
   std::printf("next_side: a motor that pushes against a limit at 0.1 rad stops at %.4f rad\n",
               double(hinge.position(scene.world.bodies)));
@@ -99,7 +99,7 @@ void together(const Choice& choice, std::vector<Summary>& lines) {
   sideways(choice, lines);
   sagging(choice, lines);
   Scene left = sideways_chains(1, 31), right = sideways_chains(1, 31);  // for the recording
-  DirectSolver direct;
+  DirectSolver direct = DirectSolver::velocities_only();
   direct.newton = 8;
   const Method few{choice.iterations};
   record("pulled sideways",

@@ -39,15 +39,21 @@ double energy_at(std::vector<Body> before, const Bodies& after, double share, co
 
 std::vector<Family> families() {
   std::vector<Family> out = joint_families();
-  for (Family& family : contact_families()) out.push_back(std::move(family));
+  for (auto* more : {motion_families, contact_families})
+    for (Family& family : more()) out.push_back(std::move(family));
   return out;
 }
 
 Outcome run_drawn(Drawn scene, const std::string& setting, double h) {
-  World& world = scene.world;
   const Setting how = setting_named(setting);
-  how.prepare(world);
-  const Step step = how.make();
+  how.prepare(scene.world);
+  return run_drawn(std::move(scene), how.make(), how.leapfrog, h);
+}
+
+Outcome run_drawn(Drawn scene, const Step& step, bool leapfrog, double h) {
+  World& world = scene.world;
+  const auto angular = [&] { return momentum(all_of(world.bodies)).angular; };
+  const glm::dvec3 L = angular();
   Outcome out{.most_gain = scene.most_gain};
   Blocks errors;
   errors.errors_only = true;
@@ -58,19 +64,23 @@ Outcome run_drawn(Drawn scene, const std::string& setting, double h) {
     const std::span<const Body> all = all_of(world.bodies);
     const std::vector<Body> before(all.begin(), all.end());
     const double behind = double(world.last_h) / 2;  // the velocities are as far behind the poses
+    if (scene.control) scene.control(world, real(length));
     try {
       step(world, real(length));
     } catch (const std::exception&) {  // it has flown apart
       out.finite = false;
       break;
     }
-    const double share = how.leapfrog || scene.between_steps
+    const double share = leapfrog || scene.between_steps
                              ? behind / (behind + length - double(world.last_h) / 2) : 0;
     const double change = (energy_at(before, world.bodies, share, world.gravity) - start) /
                           scene.energy_scale;
     if (!scene.driven) out.gain = std::max(out.gain, change);
     out.loss = -change;
     look(world, errors, out);
+    if (scene.miss) out.gap = std::max(out.gap, scene.miss(world));
+    if (scene.momentum_scale > 0)
+      out.momentum = std::max(out.momentum, glm::length(angular() - L) / scene.momentum_scale);
     time += length;
   }
   out.finite = out.finite && all_finite(all_of(world.bodies));

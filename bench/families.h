@@ -20,6 +20,10 @@ struct Drawn : BenchScene {
   /// averaged for the energy.
   bool between_steps = false;
   double most_gain = 0.1;     ///< of energy in a run that is held [energy_scale]
+  /// Divisor of the change of the angular momentum [kg m^2/s]; 0: forces act from outside.
+  double momentum_scale = 0;
+  std::function<void(World&, real h)> control{};  ///< moves bodies before each step, if any does
+  std::function<double(const World&)> miss{};     ///< an error that no row tells [m], if any
 };
 
 /// A family, and the number of its scenes in a table.
@@ -29,15 +33,17 @@ struct Family {
   std::function<Drawn(unsigned seed)> draw{};
 };
 std::vector<Family> joint_families();    ///< without contacts
+std::vector<Family> motion_families();   ///< what spins, is carried, folds or is held in place
 std::vector<Family> contact_families();  ///< with contacts
 std::vector<Family> families();          ///< all of them
 
 /// The errors of a scene in a run.
 struct Outcome {
-  double gap = 0;     ///< largest error of a position row in the run [m or rad]
+  double gap = 0;     ///< largest error of a position row in the run [m or rad], or Drawn::miss
   double past = 0;    ///< largest violation of a limit or a contact [m or rad]
   double gain = 0;    ///< largest gain of energy in the run [energy_scale]
   double loss = 0;    ///< the energy lost at the end [energy_scale]
+  double momentum = 0;  ///< largest change of the angular momentum [momentum_scale]
   bool finite = true;
   double most_gain = 0.1;  ///< Drawn::most_gain
   /// True if the gap is below 1 mm (in float 5 mm) and the gain below most_gain.
@@ -50,6 +56,8 @@ struct Outcome {
 };
 /// Runs a scene. \param setting a name for setting_named() \param h step [s]
 Outcome run_drawn(Drawn scene, const std::string& setting, double h = 1.0 / 60);
+/// Runs a scene in steps of one's own. \param leapfrog its velocities belong to the middle of them
+Outcome run_drawn(Drawn scene, const Step& step, bool leapfrog, double h = 1.0 / 60);
 
 }  // namespace joints::bench
 /// @}

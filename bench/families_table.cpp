@@ -37,18 +37,18 @@ int main(int argc, char** argv) {
     keep_named(list, options.text("family"), &Family::name);
     FILE* file = open_table(options.text("csv"), options.flag("append"),
                             "family,real,setting,first_seed,held,of,lost,kept,gap_max_m,past_max,"
-                            "gain_max,loss_median,loss_max,seconds");
+                            "gain_max,loss_median,loss_max,momentum_max,seconds");
     const int first = options.count("seed", 0), draws = options.count("draws", 0);
     const double hertz = options.number("hertz", 1);
     const std::string at = hertz == 60 ? "" : " at " + options.text("hertz") + " Hz";
-    std::printf("%-18s %-11s %11s %5s %5s %9s %9s %8s %13s %6s\n", "family", "setting", "held",
-                "lost", "kept", "gap [mm]", "past", "gain [%]", "loss [%]", "t [s]");
+    std::printf("%-18s %-11s %11s %5s %5s %9s %9s %8s %13s %8s %6s\n", "family", "setting", "held",
+                "lost", "kept", "gap [mm]", "past", "gain [%]", "loss [%]", "momentum", "t [s]");
     for (const Family& family : list)
       for (const std::string& setting : words(options.text("settings"))) {
         const auto began = std::chrono::steady_clock::now();
         const int count = draws > 0 ? draws : family.draws;
         int held = 0, lost = 0, kept = 0;
-        double gap = 0, past = 0, gain = 0;
+        double gap = 0, past = 0, gain = 0, momentum = 0;
         std::vector<double> losses;
         for (int k = 0; k < count; ++k) {
           Drawn scene = family.draw(unsigned(first + k));
@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
           gap = std::max(gap, out.finite ? out.gap : 1 / 0.0);
           past = std::max(past, out.past);
           gain = std::max(gain, out.gain);
+          momentum = std::max(momentum, out.momentum);
           if (keeps_energy) {
             kept += out.kept();
             losses.push_back(out.loss);
@@ -71,14 +72,15 @@ int main(int argc, char** argv) {
                                                              began).count();
         const double middle = median(losses);
         const double most = losses.empty() ? none : *std::max_element(losses.begin(), losses.end());
-        std::printf("%-18s %-11s %4d of %4d %5d %5d %9.3g %9.3g %8.3g %6.3g %6.3g %6.1f\n",
+        std::printf("%-18s %-11s %4d of %4d %5d %5d %9.3g %9.3g %8.3g %6.3g %6.3g %8.2g %6.1f\n",
                     family.name.c_str(), setting.c_str(), held, count, lost, kept, 1000 * gap, past,
-                    100 * gain, 100 * middle, 100 * most, seconds);
+                    100 * gain, 100 * middle, 100 * most, momentum, seconds);
         std::fflush(stdout);
-        std::fprintf(file, "%s,%s,%s,%d,%d,%d,%d,%d%s%s%s%s%s%s\n", (family.name + at).c_str(),
+        std::fprintf(file, "%s,%s,%s,%d,%d,%d,%d,%d%s%s%s%s%s%s%s\n", (family.name + at).c_str(),
                      sizeof(real) == 8 ? "double" : "float", setting.c_str(), first, held, count,
                      lost, kept, cell(gap).c_str(), cell(past).c_str(), cell(gain).c_str(),
-                     cell(middle).c_str(), cell(most).c_str(), cell(seconds).c_str());
+                     cell(middle).c_str(), cell(most).c_str(), cell(momentum).c_str(),
+                     cell(seconds).c_str());
         std::fflush(file);
       }
     std::fclose(file);

@@ -17,7 +17,7 @@ Setting setting_named(const std::string& method) {
   plain.leapfrog = false;
   Way placed = plain;
   placed.newton = 8;
-  inertia.added_inertia = 8;
+  inertia.added_inertia = 8, inertia.beta = real(0.2);  // as it is constructed
   const struct {
     std::string word;
     Way way;

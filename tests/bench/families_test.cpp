@@ -72,7 +72,7 @@ TEST_CASE("positions and added inertia hold the first draws of every family but 
       ++of;
     }
   }
-  CHECK(of == 4 * 21);
+  CHECK(of == 4 * 27);
 }
 
 TEST_CASE("four-bars, rings and Bricard's linkage keep their energy through singular poses") {

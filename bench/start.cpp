@@ -41,7 +41,7 @@ void satisfy_rows(World& world) {
     return !block.corrects || block.target.lower != -unbounded || block.target.upper != unbounded;
   });
   if (rows.list.empty()) return;
-  DirectSolver solver;
+  DirectSolver solver = DirectSolver::velocities_only();
   solver.prepare(world.bodies, rows, 0, 1);
   solver.factor_now();
   solver.reach(world.bodies, rows, std::vector<real>(rows.C.size(), 0), 1e-12);

@@ -137,9 +137,7 @@ void AddedInertia::keep_momentum(const Island& island, const std::vector<Body>& 
                                  Bodies& bodies) const {
   const std::vector<bool>& moves = island.system.moves;
   if (island.left || island.alternates ||
-      std::find(moves.begin(), moves.end(), false) != moves.end() ||
-      std::none_of(island.system.bodies.begin(), island.system.bodies.end(),
-                   [&](int slot) { return adds(slot); }))
+      std::find(moves.begin(), moves.end(), false) != moves.end())
     return;
   Whole was, is;
   island.for_moving([&](int slot) { was.add(before[slot]), is.add(bodies.at(slot)); });

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 namespace joints {
@@ -12,6 +13,10 @@ static constexpr int most_again = 4;
 
 // Largest number of corrections in reach().
 static constexpr int rounds = 12;
+// Largest number of passes of the active set in one solve.
+static constexpr int most_passes = 200;
+// A joint that is open by more than this at the beginning of a step is told [m or rad].
+static constexpr double wide_open = 0.1;
 
 DirectSolver DirectSolver::velocities_only() {
   DirectSolver solver;
@@ -28,7 +33,6 @@ void DirectSolver::check() const {
   require(softening >= 0 && softening < 1, "softening", real(softening),
           "must be at least 0 and below 1");
   require(alternations > 0, "alternations", real(alternations), "must be positive");
-  require(passes > 0, "passes", real(passes), "must be positive");
   require(most_work >= 0, "most_work", real(most_work), "must not be negative");
   require(inverse != nullptr, "inverse: must be a function, such as inverse_pivot");
   fallback.check();
@@ -46,7 +50,14 @@ std::vector<std::string> DirectSolver::Report::sentences() const {
     out.push_back("A body has so many joints that its island was iterated. Raise most_work to "
                   "solve it directly.");
   if (wrong > 0)
-    out.push_back("A limit, motor or contact is on the wrong side of its bounds. Raise passes.");
+    out.push_back("A limit, motor or contact is on the wrong side of its bounds. Take a shorter "
+                  "step.");
+  if (opened > wide_open) {
+    std::ostringstream words;
+    words << "A joint was open by " << opened << " (m or rad) when the step began, and was closed "
+          << "within it. Place bodies where their joints are closed, or lead them with move_to.";
+    out.push_back(words.str());
+  }
   return out;
 }
 
@@ -178,13 +189,13 @@ void DirectSolver::prepare_outside(const Bodies& bodies) {
   contacts_.prepare_as(slow_bodies_, bodies, outside_, h_);
 }
 
-void DirectSolver::warm_start(Bodies& bodies, real ratio) {
+// \param again true for solve_again()
+void DirectSolver::start(Bodies& bodies, real ratio, bool again) {
   blocks_of(bodies);  // rejects other bodies
-  const bool again = !before_.empty();  // solve_again() calls it
   if (!again) {
     if (report_.iterated) fallback.warm_start(bodies, 0);
     ratio_ = ratio > 0 ? real(1) : real(0);
-    if (inertia_.used()) before_.assign(bodies.begin(), bodies.end());
+    if (inertia_.used() || newton > 0) before_.assign(bodies.begin(), bodies.end());
   }
   for (const Island& island : islands_.list)
     if (inertia_.used() && island.active)
@@ -206,7 +217,7 @@ void DirectSolver::solve(Bodies& bodies) {
   if (report_.iterated) fallback.solve(bodies);
   for (Island& island : islands_.list) island.active = !island.left;
   solve_active(bodies, !outside_.list.empty());
-  if (!before_.empty()) {
+  if (inertia_.used()) {
     for (int k = 0; k < most_again && forces_jumped(bodies); ++k) solve_again(bodies);
     inertia_.remember(memory_);
   }
@@ -226,7 +237,7 @@ void DirectSolver::solve_active(Bodies& bodies, bool outside) {
     for (Island& island : islands_.list) {
       if (!island.active || (n > 0 && !island.alternates)) continue;
       island.system.load(bodies);
-      island.system.solve(passes, !island.alternates);  // the next alternation refines
+      island.system.solve(most_passes, !island.alternates);  // the next alternation refines
       island.system.store(bodies);
       island.system.store_impulses(*blocks_);
     }
@@ -272,7 +283,7 @@ void DirectSolver::solve_again(Bodies& bodies) {
     island.system.factored = false;
   }
   if (outside) prepare_outside(bodies);
-  warm_start(bodies, ratio_);
+  start(bodies, ratio_, true);
   solve_active(bodies, outside);
 }
 

@@ -32,7 +32,6 @@ class DirectSolver : public Solver {
   /// once, so that rows that nearly depend on others get no large impulses.
   double softening = sizeof(real) == 4 ? 1e-5 : 1e-8;
   int alternations = 10;  ///< solves outside A and in it per step, if rows are outside
-  int passes = 200;       ///< largest number of passes of the active set in one solve
   /// If the factorisation of an island takes more multiplications per row than this, without rows
   /// that have bounds, `fallback` solves it and all bodies in contact with it. A body with 44 balls
   /// or more is such a hub.
@@ -66,7 +65,7 @@ class DirectSolver : public Solver {
 
   void check() const override;
   void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) override;
-  void warm_start(Bodies& bodies, real ratio) override;
+  void warm_start(Bodies& bodies, real ratio) override { start(bodies, ratio, false); }
   void solve(Bodies& bodies) override;
   /// With `newton`, the errors at the new poses become zero as well (move_onto_constraints).
   void advance(Bodies& bodies, real h, const Append& append) override;
@@ -96,6 +95,7 @@ class DirectSolver : public Solver {
   void split_blocks();
   void recall_corrections();
   void prepare_outside(const Bodies& bodies);
+  void start(Bodies& bodies, real ratio, bool again);
   void solve_active(Bodies& bodies, bool outside);
   bool alternating() const;  // rows outside A act on an active island
   bool forces_jumped(const Bodies& bodies);

@@ -121,6 +121,9 @@ void Positions::find_corrected() {
       const double* const original = &system.A.original[system.row_of(system.blocks[k])];
       for (int i = 0; i < list_[block].rows - (target.rate != 0); ++i)
         if (original[i] != 0) own_.corrected[block] |= 1 << i;
+      for (int i = 0; i < list_[block].rows - target.one_sided(); ++i)
+        own_.report.opened = std::max(
+            own_.report.opened, std::abs(double(blocks_.C[std::size_t(list_[block].first + i)])));
     }
   });
 }

@@ -80,8 +80,7 @@ TEST_CASE("a car's wheel at 100 km/h keeps energy and momentum on its axle") {
 TEST_CASE("drawn rotors in free flight keep energy and momentum up to 2.5 rad a step") {
   for (const int hertz : {60, 240})
     for (const real added : {real(8), real(0)}) {
-      // without added inertia the lever of an open joint is the error
-      const double momentum = tolerance(added > 0 ? 1e-12 : 1e-7, 1e-3);
+      const double momentum = tolerance(1e-12, 1e-3);
       const Count now = count("rotors", hertz, with(8, added), [=](const bench::Outcome& out) {
         return std::max(out.gain, std::abs(out.loss)) < tolerance(1e-3, 1e-2) &&
                out.momentum < momentum;
@@ -95,7 +94,7 @@ TEST_CASE("drawn rotors in free flight keep energy and momentum up to 2.5 rad a 
 
 TEST_CASE("motors between bodies in free flight leave their angular momentum at zero") {
   for (const real added : {real(8), real(0)}) {
-    const double most = tolerance(added > 0 ? 1e-12 : 1e-6, 0.1);
+    const double most = tolerance(1e-12, 0.1);
     const Count now = count("motors in flight", 60, with(8, added),
                             [=](const bench::Outcome& out) { return out.momentum < most; });
     INFO("added inertia " << double(added) << ": " << now.held << " of " << now.all << " held, "

@@ -189,10 +189,9 @@ void DirectSolver::prepare_outside(const Bodies& bodies) {
   contacts_.prepare_as(slow_bodies_, bodies, outside_, h_);
 }
 
-// \param again true for solve_again()
-void DirectSolver::start(Bodies& bodies, real ratio, bool again) {
+void DirectSolver::warm_start(Bodies& bodies, real ratio) {
   blocks_of(bodies);  // rejects other bodies
-  if (!again) {
+  if (!again_) {
     if (report_.iterated) fallback.warm_start(bodies, 0);
     ratio_ = ratio > 0 ? real(1) : real(0);
     if (inertia_.used() || newton > 0) before_.assign(bodies.begin(), bodies.end());
@@ -200,7 +199,7 @@ void DirectSolver::start(Bodies& bodies, real ratio, bool again) {
   for (const Island& island : islands_.list)
     if (inertia_.used() && island.active)
       island.for_moving([&](int slot) { inertia_.set_velocity(bodies.at(slot), slot); });
-  if (again ? alternating() : !outside_.list.empty()) contacts_.warm_start(bodies, ratio);
+  if (again_ ? alternating() : !outside_.list.empty()) contacts_.warm_start(bodies, ratio);
   for (Island& island : islands_.list) {
     if (!island.active) continue;
     JointSystem& system = island.system;
@@ -283,7 +282,9 @@ void DirectSolver::solve_again(Bodies& bodies) {
     island.system.factored = false;
   }
   if (outside) prepare_outside(bodies);
-  start(bodies, ratio_, true);
+  again_ = true;
+  warm_start(bodies, ratio_);
+  again_ = false;
   solve_active(bodies, outside);
 }
 

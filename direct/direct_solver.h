@@ -65,7 +65,7 @@ class DirectSolver : public Solver {
 
   void check() const override;
   void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) override;
-  void warm_start(Bodies& bodies, real ratio) override { start(bodies, ratio, false); }
+  void warm_start(Bodies& bodies, real ratio) override;
   void solve(Bodies& bodies) override;
   /// With `newton`, the errors at the new poses become zero as well (move_onto_constraints).
   void advance(Bodies& bodies, real h, const Append& append) override;
@@ -95,7 +95,6 @@ class DirectSolver : public Solver {
   void split_blocks();
   void recall_corrections();
   void prepare_outside(const Bodies& bodies);
-  void start(Bodies& bodies, real ratio, bool again);
   void solve_active(Bodies& bodies, bool outside);
   bool alternating() const;  // rows outside A act on an active island
   bool forces_jumped(const Bodies& bodies);
@@ -111,6 +110,7 @@ class DirectSolver : public Solver {
   Bodies slow_bodies_;                  // with added inertia, for the blocks outside
   AddedInertia inertia_;
   real ratio_ = 0;                      // of the warm start: 1, or 0 for a cold one
+  bool again_ = false;                  // solve_again() calls warm_start()
   std::vector<Body> before_;            // velocities before the warm start
   SolverMemory memory_, recalled_;
   Positions::Memory positions_;

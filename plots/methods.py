@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
-"""Draws maps of every method: its colour the largest gap, its words gap and time; once over all
-scenes, once over mass ratio, m r^2/I, step, length and stiffness.
+"""Draws maps of every method: once over all scenes, with gap and time in each cell, and over mass
+ratio, m r^2/I, step, length and stiffness, one of the gap and one of the energy.
 
 methods.py --csv out/methods.csv --out DIR
 methods.py --csv bench/measured/methods.csv --maps docs/maps.svg
 """
 import numpy as np
+from matplotlib.collections import LineCollection, PatchCollection
+from matplotlib.patches import Rectangle
 
 import style
-from style import EMPTY, INK
+from style import EMPTY, INK, named
 
 NUMBERS = ["us_per_step", "gap_max_m", "expected", "found", "energy_drift"]
 WORDS = ["scene", "real", "method", "status"]
@@ -22,11 +24,14 @@ TITLES = {"si30": "30\niterations", "beta1": "beta 1", "4x8": "4 substeps\nof 8"
           "inertia": "direct,\nadded inertia", "velocity/8": "direct,\n8 substeps",
           "shake/8": "positions,\n8 substeps",
           "inertia/8": "inertia,\n8 substeps", "rk4": "Runge-\nKutta"}
-MAPS = {"heavy end": ("mass ratio of the end of 20 links", "gap_max_m"),
-        "m r^2/I": ("$m r^2/I$ of 20 beads, an end of 10", "gap_max_m"),
-        "steps per s": ("steps per second, the end 100 links heavy", "gap_max_m"),
-        "links": ("hinges of a chain that swings", "gap_max_m"),
-        "springs in Hz": ("springs in place of ten joints [Hz]", "found")}
+MAPS = {"heavy end": ("mass of\nthe end", "gap_max_m"),
+        "m r^2/I": ("smaller beads:\n$m r^2/I$", "gap_max_m"),
+        "steps per s": ("steps per\nsecond", "gap_max_m"),
+        "links": ("hinges of\na chain", "gap_max_m"),
+        "springs in Hz": ("springs\n[Hz]", "found")}
+LOOKS = {kind: {"facecolor": named(name), "edgecolor": "white", "linewidth": 0.8}
+         for kind, name in enumerate(("green", "ok", "torn", "orange"))} | {
+    -1: {"facecolor": EMPTY, "edgecolor": named("behind"), "linewidth": 0, "hatch": "////"}}
 LEAST, MOST = 1e-3, 1e3  # of the colours [mm]
 
 
@@ -93,54 +98,80 @@ def draw_scenes(rows, methods, path):
     style.save(figure, path)
 
 
-def energy_of(row):
-    """The change of the energy, as a line below the others; none where it is small."""
-    drift = row["energy_drift"]
-    return f"\n\u2212{-100 * drift:.0f} % energy" if drift < -0.005 else ""
+def held(row):
+    return row["status"] in ("ok", "soft")
+
+
+def draw_map(rows, methods, path, what, limits, title, words):
+    """A panel for each number that changes: its values are the columns, the methods the rows, those
+    first that hold most. `what` of a row is in one of four classes, up to each of the limits; a
+    cell without class has failed, and a line is drawn around these."""
+    failed = {name: sum(not held(row) for row in rows if row["method"] == name)
+              for name in methods}
+    methods = sorted(methods, key=failed.get)
+    columns = {family: list(dict.fromkeys(row["scene"].partition(": ")[2] for row in rows
+                                          if row["scene"].startswith(family + ": ")))
+               for family in MAPS}
+    columns = {family: values for family, values in columns.items() if any(
+        held(row) for row in rows if row["scene"].startswith(family + ": "))}
+    figure, axes = style.figure(title, len(columns), sharey=True,
+                                width_ratios=[len(values) for values in columns.values()])
+    for ax, (family, values) in zip(axes, columns.items()):
+        kinds = np.full((len(methods), len(values)), -1)
+        for row in rows:
+            if row["scene"].startswith(family + ": ") and row["method"] in methods and held(row):
+                kinds[methods.index(row["method"]), values.index(row["scene"].partition(": ")[2])] \
+                    = np.searchsorted(limits, what(row, MAPS[family][1]))
+        for kind, look in LOOKS.items():
+            ax.add_collection(PatchCollection([Rectangle((x - 0.5, y - 0.5), 1, 1) for y, x in
+                                               np.argwhere(kinds == kind)], **look))
+        ax.add_collection(LineCollection(
+            [np.add((x, y), ends) for y, x in np.ndindex(kinds.shape) for to, ends in (
+                ((y, x + 1), ((0.5, -0.5), (0.5, 0.5))), ((y + 1, x), ((-0.5, 0.5), (0.5, 0.5))))
+             if to in np.ndindex(kinds.shape) and (kinds[to] < 0) != (kinds[y, x] < 0)],
+            colors=INK, linewidths=2.2, zorder=5))
+        ax.set(xlim=(-0.5, len(values) - 0.5), ylim=(len(methods) - 0.5, -0.5))
+        ax.set_xticks(range(len(values)), [f"$10^{value[2:]}$" if value.startswith("1e") else value
+                                           for value in values], fontsize=8, rotation=90)
+        ax.set_title(MAPS[family][0], fontsize=8.5)
+        ax.tick_params(length=0)
+        ax.grid(False)
+        ax.spines[:].set_visible(False)
+    axes[0].set_yticks(range(len(methods)), [TITLES[name].replace("\n", " ") for name in methods])
+    figure.supxlabel(" ")  # the room of the legend
+    figure.legend([Rectangle((0, 0), 1, 1, **look) for look in LOOKS.values()], [*words, "failed"],
+                  loc="lower center", ncol=5, frameon=False, fontsize=9)
+    style.save(figure, path)
 
 
 def draw_maps(rows, methods, path):
-    """A panel for each number that changes: its values are the columns, the methods the rows."""
-    methods = [name for name in methods if any(
-        row["method"] == name and ": " in row["scene"] for row in rows)]
-    def price(method):  # of the worst cell, and none may have failed
-        mine = [row for row in rows if row["method"] == method and ": " in row["scene"]]
-        assert mine and all(row["status"] in ("ok", "soft") for row in mine), method
-        return 100 * max(-row["energy_drift"] for row in mine)
-    figure, axes = style.figure(
-        "newton = 8 holds every mass ratio, step and spring; alone it loses up to "
-        f"{price('shake'):.0f} % of the energy, with added inertia {price('inertia'):.0f} %",
-        panels=2, rows=3, sharey=True)
-    figure.set_size_inches(style.WIDTH + 2.2, 1.2 * len(methods) + 1.6)
-    style.entitle(figure, figure._suptitle.get_text().replace("\n", " "))
-    axes.flat[-1].set_axis_off()
-    for ax, (family, (title, measure)) in zip(axes.flat, MAPS.items()):
-        mine = [row for row in rows if row["scene"].startswith(family + ": ")]
-        values = list(dict.fromkeys(row["scene"].partition(": ")[2] for row in mine))
-        cells = {}
-        for row in mine:
-            value = row["scene"].partition(": ")[2]
-            if row["method"] in methods:
-                steps = float(value) / 60 if family == "steps per s" else 1
-                cells[values.index(value), methods.index(row["method"])] = (
-                    error_of(row, measure), f"{short(row['us_per_step'] * steps)} us"
-                    + energy_of(row))
-        paint(ax, cells, len(values), len(methods))
-        names = [f"$10^{value[2:]}$" if value.startswith("1e") else value for value in values]
-        ax.set_xticks(range(len(values)), names, fontsize=8)
-        ax.set_yticks(range(len(methods)), [TITLES[name].replace("\n", " ") for name in methods],
-                      fontsize=7.5)
-        ax.set_title(title, fontsize=9, loc="left")
-    figure.supxlabel("above: largest gap [mm], for the springs how far the load is off its place; "
-                     "failed: above 1 m, or energy gained\nbelow: time for a sixtieth of a "
-                     "second, and energy removed in the run", fontsize=8)
-    style.save(figure, path)
+    """The map of the gaps, or that of the energy that it costs if the path says so."""
+    rows = [row for row in rows if ": " in row["scene"] and row["method"] in methods]
+    of = {name: [row for row in rows if row["method"] == name] for name in methods}
+    of = {name: mine for name, mine in of.items() if mine}
+    always = [name for name, mine in of.items() if all(held(row) for row in mine)]
+
+    def price(name):
+        return 100 * max(-row["energy_drift"] for row in of[name])
+    if "energy" not in path.name:
+        draw_map(rows, list(of), path, error_of, (1, 10, 100),
+                 f"Held in all {len(of[always[0]])} cases: " + "; ".join(
+                     TITLES[name].replace("\n", " ") for name in always),
+                 ("gap below 1 mm", "to 10 mm", "to 100 mm", "above"))
+        return
+    draw_map([row for row in rows if np.isfinite(row["energy_drift"]) or not held(row)], list(of),
+             path, lambda row, _: -100 * row["energy_drift"], (1, 10, 50),
+             "What it costs to hold all: up to " + ", up to ".join(
+                 f"{price(name):.0f} % of the energy with {TITLES[name]}".replace("\n", " ")
+                 for name in (max(always, key=price), min(always, key=price))),
+             ("energy lost: below 1 %", "to 10 %", "to 50 %", "above"))
 
 
 def main():
     given = style.arguments("Draws a map of every method on every scene.",
                             csv="the table that ./wb bench --methods writes",
-                            maps="optional: the maps over one number each, an SVG",
+                            maps="optional: the maps over one number each, an SVG: of the "
+                                 "energy if its name says so",
                             out="optional: folder of the figures")
     table = style.rows(style.read_csv(given.csv, NUMBERS, WORDS, "./wb bench --methods"),
                        real="double")
@@ -151,7 +182,8 @@ def main():
     if given.out:
         draw_scenes(rows, methods, given.out / "methods")
         if any(": " in row["scene"] for row in rows):
-            draw_maps(rows, methods, given.out / "methods_maps")
+            for name in ("maps", "energy"):
+                draw_maps(rows, methods, given.out / f"methods_{name}")
 
 
 if __name__ == "__main__":

@@ -33,7 +33,8 @@ def pictures(root, tables):
     yield root / "docs/beside.svg", "peers.py", ["--csv", measured / "peers.csv", "--together"]
     yield (root / "docs/convergence.svg", "convergence.py",
            ["--csv", measured / "convergence.csv", "--out"])
-    yield root / "docs/maps.svg", "methods.py", ["--csv", measured / "methods.csv", "--maps"]
+    for name in ("maps", "maps_energy"):
+        yield root / f"docs/{name}.svg", "methods.py", ["--csv", measured / "methods.csv", "--maps"]
 
 
 def draw(root, jobs):

@@ -90,6 +90,8 @@ class Joint {
   real last_h() const { return h_; }  ///< length of the last step [s], 0 before the first
   /// Blocks::impulse_duration of the last step [s]; 0 before the first.
   real impulse_duration() const { return impulse_duration_; }
+  /// For a way to move bodies that appends no rows. \param duration of the impulses [s]
+  void set_impulse_duration(real duration) { impulse_duration_ = duration; }
 
  protected:
   /// The joint's own part of begin_step(): counts turns, chooses the live rows, sets the impulse of

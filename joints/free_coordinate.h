@@ -2,6 +2,7 @@
 // is nothing to edit here.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <utility>
 
@@ -90,6 +91,16 @@ class FreeCoordinate {
     Data& data = change();
     data.next = x;
     data.known = Known::turn;
+  }
+  /// For a way to move bodies that appends no rows: the coordinate at the end of a step.
+  /// \param x [rad or m] \param impulses of motor, friction, limits and spring [N m s or N s]
+  void tell(real x, const std::array<real, 4>& impulses) {
+    expect(x);
+    Rows& now = data_->now = {};
+    now.motor_impulse = impulses[0], now.friction_impulse = impulses[1];
+    now.spring_impulse = impulses[3];
+    now.limit_sign = impulses[2] == 0 ? real(0) : std::copysign(real(1), impulses[2]);
+    limit_impulse() = std::abs(impulses[2]);
   }
   Range limits() const { return data_ ? data_->range : Range{}; }     ///< the limits
   Motor motor() const { return data_ ? data_->motor : Motor{}; }      ///< the motor or servo

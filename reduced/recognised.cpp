@@ -44,8 +44,8 @@ CoordinateSource source_of(const Joint& joint, const FreeCoordinate<Coordinate>&
                         from.spring()};
             return true;
           },
-          .count = [](const void* free, real x) {
-            const_cast<Free*>(static_cast<const Free*>(free))->expect(x);
+          .tell = [](const void* free, real x, const std::array<real, 4>& impulses) {
+            const_cast<Free*>(static_cast<const Free*>(free))->tell(x, impulses);
           }};
 }
 

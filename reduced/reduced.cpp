@@ -162,13 +162,14 @@ void Reduced::step(World& world, real h) {
       require(tree.only_springs(), "method: Runge-Kutta steps need coordinates without limits, "
                                    "motors and friction");
   for (Tree& tree : trees_) {
+    tree.begin_impulses();
     if (method == Method::leapfrog) leapfrog(tree, world, h);
     else tree.runge_kutta(h);
   }
   for (int slot = 0; slot < world.bodies.slots(); ++slot)
     if (world.bodies.at(slot).kinematic) integrate_pose(world.bodies.at(slot), h);
   for (const Tree& tree : trees_) tree.write(world.bodies);
-  last_h_ = h;
+  for (const Tree& tree : trees_) tree.tell_joints(h);
   world.last_h = 0;  // the velocities belong to the time of the poses
 }
 
@@ -224,22 +225,6 @@ Reaction Reduced::load(const Joint& joint) {
   const TreeLink& link = tree.links[at.first];  // about the anchor of body 2 instead of body 1
   if (link.freedom == Freedom::slider) out.torque += cross(link.x * link.a, out.force);
   return {-out.force, -out.torque};
-}
-
-Reduced::Forces Reduced::forces(const Joint& joint, int coordinate) const {
-  const Place at = find(joint);
-  const Tree& tree = trees_[at.tree];
-  const bool forward = tree.links[at.last].slot == int(joint.body2.slot);
-  std::vector<std::size_t> links;
-  for (std::size_t k = at.first; k <= at.last; ++k)
-    if (tree.sources[k].read) links.push_back(k);
-  if (!forward) std::ranges::reverse(links);
-  require(coordinate >= 0 && coordinate < int(links.size()), "coordinate", real(coordinate),
-          "must be the number of a free coordinate of this joint");
-  const Drive* const drive = tree.drive_of(links[std::size_t(coordinate)]);
-  if (!drive || last_h_ == 0) return {};
-  const auto& sums = drive->impulse;
-  return {sums[0] / last_h_, sums[1] / last_h_, sums[2] / last_h_, sums[3] / last_h_};
 }
 
 std::vector<Reduced::Acceleration> Reduced::accelerations(const World& world) {

@@ -23,7 +23,8 @@ class SixDofJoint;
 /// of freedom as far as each of them is free or locked; with motors, servos, friction, limits and
 /// springs on the coordinates of hinges and sliders. Each tree hangs on a static or kinematic body,
 /// or floats freely. Loops, soft joints and all other joints are rejected: use DirectSolver for
-/// them. Bodies, joints and settings may be changed between steps, as with rows.
+/// them. Bodies, joints and settings may be changed between steps, and drives and limits tell their
+/// positions and forces, as with rows: a program changes one line. By Runge-Kutta springs tell none.
 ///
 /// It never allocates in a step after the first, unless the program has added, removed or moved a
 /// body or a joint, or a step is divided.
@@ -78,23 +79,12 @@ class Reduced {
   /// step: of all that the joint does, rigid parts, drives and springs.
   /// \throws std::invalid_argument for a joint between static bodies or of another world
   Reaction load(const Joint& joint);
-  /// The mean forces of what acts on a coordinate in the last step by leapfrog [N m or N].
-  struct Forces {
-    real motor = 0;     ///< of motor or servo
-    real friction = 0;  ///< of friction
-    real limit = 0;     ///< of the limits
-    real spring = 0;    ///< of the spring
-  };
-  /// Those of a joint. \param coordinate of a joint with several: 0 for the first one that is
-  /// neither locked nor part of a ball \throws std::invalid_argument if there is none
-  Forces forces(const Joint& joint, int coordinate = 0) const;
 
  private:
   struct Place {
     std::size_t tree, first, last;  // of the links of a joint
   };
   Place find(const Joint& joint) const;
-  real last_h_ = 0;
   static constexpr int most_parts = 64;
   void leapfrog(Tree& tree, const World& world, real h);
   void build(const World& world);

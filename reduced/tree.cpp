@@ -91,12 +91,6 @@ Reaction Tree::reaction(std::size_t of) {
   return sums[of];
 }
 
-const Drive* Tree::drive_of(std::size_t link) const {
-  for (const Drive& drive : drives_)
-    if (drive.link == int(link)) return &drive;
-  return nullptr;
-}
-
 void Tree::set_explicit_springs() {
   for (Drive& drive : drives_) {
     TreeLink& link = links[drive.link];

@@ -18,7 +18,8 @@ struct CoordinateSource {
   std::size_t number = 0;        ///< of that joint, for messages
   real (*position)(const void*, const Bodies&) = nullptr;  ///< its value [rad or m]
   bool (*read)(const void*, DriveSettings&) = nullptr;     ///< false if nothing acts on it
-  void (*count)(const void*, real) = nullptr;  ///< tells it its value, for the turns
+  /// Tells it its value and the impulses of Drive at the end of a step.
+  void (*tell)(const void*, real, const std::array<real, 4>&) = nullptr;
 };
 
 /// A root and all links that depend on it, parents before their children.
@@ -39,6 +40,8 @@ class Tree {
   bool only_springs() const;
   /// Writes poses and velocities to the bodies. \throws std::overflow_error unless they are finite
   void write(Bodies& bodies) const;
+  /// Tells the joints what has acted on their coordinates. \param h step [s]
+  void tell_joints(real h) const;
 
   /// The symmetric step of second order: half a kick, a drift, half a kick. The force at a pose
   /// depends on the velocities, so the first half kick is implicit. \param h [s]
@@ -56,8 +59,6 @@ class Tree {
   /// The forces that hold a link, at the present state and with what its coordinates do now: on
   /// the link, about A, from the motion of the subtree by Newton and Euler.
   Reaction reaction(std::size_t link);
-  /// What acts on the coordinate of a link; null if nothing does.
-  const Drive* drive_of(std::size_t link) const;
 
  private:
   struct State {  // of a link; also its derivative

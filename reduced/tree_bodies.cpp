@@ -139,10 +139,6 @@ bool Tree::only_springs() const {
 }
 
 void Tree::write(Bodies& bodies) const {
-  for (const Drive& drive : drives_) {  // the joint counts its turns
-    const CoordinateSource& source = sources[std::size_t(drive.link)];
-    source.count(source.free, links[std::size_t(drive.link)].x);
-  }
   for (const TreeLink& link : links) {
     if (link.slot < 0 || link.freedom == Freedom::fixed) continue;
     Body& body = bodies.at(link.slot);
@@ -150,6 +146,14 @@ void Tree::write(Bodies& bodies) const {
     if (!finite(sum(body.x) + sum(body.q) + sum(body.v) + sum(body.w)))
       throw std::overflow_error("body " + std::to_string(link.slot) +
                                 ": a number has overflowed; take a shorter step");
+  }
+}
+
+void Tree::tell_joints(real h) const {
+  for (const Drive& drive : drives_) {
+    const CoordinateSource& source = sources[std::size_t(drive.link)];
+    source.tell(source.free, links[std::size_t(drive.link)].x, drive.impulse);
+    const_cast<Joint*>(source.joint)->set_impulse_duration(h);
   }
 }
 

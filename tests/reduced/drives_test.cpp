@@ -110,7 +110,7 @@ TEST_CASE("friction in drawn arms holds what it can, and opposes the rest with a
     Reduced tree(arm.world);
     tree.step(arm.world, h);
     arm.for_each([&](auto& joint) {
-      const real rate = joint.speed(arm.world.bodies), force = tree.forces(joint).friction;
+      const real rate = joint.speed(arm.world.bodies), force = joint.friction_force();
       const real strength = joint.friction();
       if (std::abs(rate) < tolerance(1e-12, 1e-5)) {
         ++held;
@@ -145,7 +145,7 @@ TEST_CASE("limits of drawn arms hold to a millionth, and a coordinate that hits 
         const real x = joint.position(arm.world.bodies);
         const Range& range = limits[at++];
         worst = std::max({worst, double(range.lower - x), double(x - range.upper)});
-        live += tree.forces(joint).limit != 0;
+        live += joint.limit_force() != 0;
       });
     }
     gained = std::max(gained, energy(all_of(arm.world.bodies), arm.world.gravity) - before);
@@ -189,7 +189,7 @@ TEST_CASE("drawn arms with drives of every kind, strong and weak, run and keep t
         const Range range = joint.limits();
         worst = std::max({worst, double((range.lower - x) / unit),
                           double((x - range.upper) / unit)});
-        live += tree.forces(joint).limit != 0;
+        live += joint.limit_force() != 0;
       });
     }
     ran += all_finite(arm.world);
@@ -206,15 +206,15 @@ TEST_CASE("a motor exerts its bound until it reaches its speed, then the torque 
   Reduced tree(rotor.world);
   for (int k = 1; k <= 60; ++k) {
     tree.step(rotor.world, h);
-    const real force = tree.forces(*rotor.hinge).motor;
+    const real force = rotor.hinge->motor_force();
     CHECK(double(rotor.rotor().w.z) == Approx(std::min(3 * double(h) * k, 2.0)).margin(1e-5));
     if (k < 39) CHECK(double(force) == Approx(3));
     if (k > 42) CHECK(std::abs(double(force)) < tolerance(1e-9, 1e-3));
   }
   rotor.hinge->set_friction(1);  // the motor has to overcome it
   tree.step(rotor.world, h);
-  CHECK(double(tree.forces(*rotor.hinge).motor) == Approx(1));
-  CHECK(double(tree.forces(*rotor.hinge).friction) == Approx(-1));
+  CHECK(double(rotor.hinge->motor_force()) == Approx(1));
+  CHECK(double(rotor.hinge->friction_force()) == Approx(-1));
   rotor.hinge->set_motor(0, 0);
   for (int k = 0; k < 121; ++k) tree.step(rotor.world, h);  // 2 rad/s at 1 rad/s^2
   CHECK(std::abs(double(rotor.rotor().w.z)) < tolerance(1e-12, 1e-6));

@@ -23,8 +23,9 @@ class SixDofJoint;
 /// of freedom as far as each of them is free or locked; with motors, servos, friction, limits and
 /// springs on the coordinates of hinges and sliders. Each tree hangs on a static or kinematic body,
 /// or floats freely. Loops, soft joints and all other joints are rejected: use DirectSolver for
-/// them. Bodies, joints and settings may be changed between steps, and drives and limits tell their
-/// them. Bodies, joints and settings may be changed between steps, and drives and limits tell their
+/// them. Bodies, joints and settings may be changed between steps, and drives and limits tell
+/// their positions and forces as with rows: a program changes one line. By Runge-Kutta springs tell
+/// none.
 ///
 /// It never allocates in a step after the first, unless the program has added, removed or moved a
 /// body or a joint, or a step is divided.

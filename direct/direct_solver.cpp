@@ -17,6 +17,8 @@ static constexpr int rounds = 12;
 static constexpr int most_passes = 200;
 // A joint that is open by more than this at the beginning of a step is told [m or rad].
 static constexpr double wide_open = 0.1;
+// A change of an island's kinetic energy by more than this fraction, to close its joints, is told.
+static constexpr double much_changed = 0.1;
 
 DirectSolver DirectSolver::velocities_only() {
   DirectSolver solver;
@@ -46,6 +48,9 @@ std::vector<std::string> DirectSolver::Report::sentences() const {
   else if (halved > 0)
     out.push_back("A body turned too far in the step, and its island was slowed down. Take a "
                   "shorter step.");
+  else if (changed > much_changed)
+    out.push_back("Joints could be closed only by a change of the kinetic energy: a mechanism passes "
+                  "a pose too fast for the step. Take a shorter step.");
   if (iterated)
     out.push_back("A body has so many joints that its island was iterated. Raise most_work to "
                   "solve it directly.");

@@ -112,6 +112,9 @@ bool Positions::move_alone() {
     scale_speeds(real(0.5));
   }
   if (gained) scale_speeds(real(std::sqrt(kinetic / twice_kinetic())));
+  const double enough = std::max(kinetic, (most_kinetic - most_growth * kinetic));
+  own_.report.changed =
+      std::max(own_.report.changed, std::abs(twice_kinetic() - kinetic) / enough);
   std::fill_n(last, rows, real(0));
   std::fill_n(expected, rows, real(0));
   return now.exact;

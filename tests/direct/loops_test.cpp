@@ -195,3 +195,25 @@ TEST_CASE("where new factors correct the poses of drawn linkages, the energy har
   CHECK(projected > 100);
   CHECK(most < tolerance(0.0101, 0.05));
 }
+
+TEST_CASE("a mechanism that passes a pose too fast for its energy says so, and no other") {
+  int told = 0, quiet = 0;
+  for (const bench::Family& family : bench::joint_families())
+    for (unsigned seed = 301; seed <= 340; ++seed) {
+      if (family.name != "unequal four-bars" && family.name != "slider-cranks") continue;
+      DirectSolver solver = shake();
+      bool said = false;
+      const auto one_step = [&](World& world, real h) {
+        step(world, solver, h, second_order);
+        said = said || !solver.report().sentences().empty();
+      };
+      const bench::Outcome out = run_drawn(family.draw(seed), one_step, true);
+      const bool kept = std::max(out.gain, std::abs(out.loss)) < (is_float ? 0.2 : 0.1);
+      CAPTURE(family.name, seed, out.gain, out.loss);
+      CHECK((kept || said));
+      (said ? told : quiet) += 1;
+    }
+  INFO(told << " told, " << quiet << " quiet");
+  CHECK(told > 5);
+  CHECK(quiet > 20);
+}

@@ -49,8 +49,8 @@ std::vector<std::string> DirectSolver::Report::sentences() const {
     out.push_back("A body turned too far in the step, and its island was slowed down. Take a "
                   "shorter step.");
   else if (changed > much_changed)
-    out.push_back("Joints could be closed only by a change of the kinetic energy: a mechanism passes "
-                  "a pose too fast for the step. Take a shorter step.");
+    out.push_back("Joints could be closed only by a change of the kinetic energy: a mechanism "
+                  "passes a pose too fast for the step. Take a shorter step.");
   if (iterated)
     out.push_back("A body has so many joints that its island was iterated. Raise most_work to "
                   "solve it directly.");

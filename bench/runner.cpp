@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #if __has_include(<malloc.h>)
 #include <malloc.h>
 #endif
@@ -108,11 +109,26 @@ Result measured(const MakeScene& make_scene, const Setting& setting, const Span&
           value ? value(scene) : std::numeric_limits<double>::quiet_NaN(), status(measures, link)};
 }
 
+// A step that says that it cannot go on ends a run, and no more is known of it.
+Result measured_or_refused(const MakeScene& make_scene, const Setting& setting, const Span& span) {
+  try {
+    return measured(make_scene, setting, span);
+  } catch (const std::runtime_error&) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    Result lost;
+    lost.gap_rms = lost.gap_max = lost.axis_error = lost.energy_drift = lost.energy_peak = none;
+    lost.tip_error = lost.sideways = none;
+    lost.finite = false;
+    lost.status = "refused";
+    return lost;
+  }
+}
+
 }  // namespace
 
 Result run(const MakeScene& make_scene, const Setting& setting, int repetitions,
            const Span& span) {
-  Result result = measured(make_scene, setting, span);
+  Result result = measured_or_refused(make_scene, setting, span);
   if (repetitions == 1 || !result.finite) return result;
   StepClock clock;
   for (int n = 0; n < repetitions; ++n)
@@ -123,7 +139,10 @@ Result run(const MakeScene& make_scene, const Setting& setting, int repetitions,
 
 void time_steps(StepClock& clock, const MakeScene& make_scene, const Setting& setting,
                 const Span& span) {
-  Ready(make_scene, setting).time(clock, span.steps, span.h);
+  try {
+    Ready(make_scene, setting).time(clock, span.steps, span.h);
+  } catch (const std::runtime_error&) {  // its steps until then are timed
+  }
 }
 
 double time_of_step(const MakeScene& make_scene, const Setting& setting, const Span& span) {

@@ -44,7 +44,8 @@ struct Result : Measures {
   double tip_error = 0;  ///< at BenchScene::tip_time [m]; 0 if the scene has no reference
   double sideways = 0;   ///< largest displacement in the forbidden direction [m]
   double found = std::numeric_limits<double>::quiet_NaN();  ///< the scene's finding, if it has one
-  std::string status{};  ///< ok, soft, torn, energy+, exploded or nan
+  /// ok, soft, torn, energy+, exploded or nan; refused: the method itself gave up on the way
+  std::string status{};
 };
 
 /// Runs a scene and measures it. With one repetition the steps of this run are timed; otherwise

@@ -1,6 +1,6 @@
 """The picture of the front page: a recorded chain, and error against run time of some methods.
 
-    front.py --motion chain.motion.json --csv bench/measured/methods.csv --result FILE.svg
+    front.py --motion chain.motion.json --csv bench/measured/sweeps.csv --result FILE.svg
 
 Chapter 2's program records the chain; the result is kept as plots/front.svg.
 """
@@ -8,12 +8,11 @@ import json
 
 import numpy as np
 import style
+import sweeps
 
-# Of a method its words, and whether they begin or end at its point.
-METHODS = {"si30": ("30 iterations", "right"), "beta1": ("30, beta = 1", "right"),
-           "4x8": ("4 substeps of 8", "left"), "16x2": ("16 substeps of 2", "left"),
-           "lanes": ("over-relaxed, lanes", "right"), "velocity": ("direct, plain", "right"),
-           "velocity/8": ("direct, 8 substeps", "left"), "shake": ("direct, newton = 8", "left")}
+SCENE = "whip"
+METHODS = {"beta1:30": "30 iterations", "velocity": "direct", "shake": "direct, newton = 8",
+           "rk4": "rows, Runge-Kutta", "tree": "reduced", "tree-rk4": "reduced, Runge-Kutta"}
 
 
 def draw_chain(ax, path):
@@ -37,28 +36,23 @@ def draw_chain(ax, path):
 
 
 def draw_cost(ax, path):
-    """Gap against time of ten chains of 99 hinges, for some methods."""
-    table = style.read_csv(path, ["us_per_step", "gap_rms_m"], ["scene", "real", "method"],
-                           "./wb bench --methods")
-    for name, (words, place) in METHODS.items():
-        row = style.rows(table, scene="S1", real="double", method=name)
-        x, y = row["us_per_step"] / 1000, row["gap_rms_m"]
-        colour = style.COLOURS[1 if "direct" in words else 0]
-        ax.loglog(x, y, "o", color=colour)
-        ax.annotate(words, (x[0], y[0]), xytext=(6 if place == "left" else -6, 3), fontsize=8.5,
-                    textcoords="offset points", ha=place, color=colour)
-    ax.set_xlim(0.015, 60)
-    ax.set_ylim(1e-11, 0.3)
-    ax.set_xlabel("milliseconds a step, 990 hinges, one core")
-    ax.set_ylabel("gap of the joints, RMS")
-    ax.set_title("error against cost of a step")
+    """Error against processor time of one scene, over the length of the step."""
+    table = style.rows(style.read_csv(path, sweeps.NUMBERS, sweeps.WORDS, "./wb bench --sweeps"),
+                       scene=SCENE, engine="ours")
+    for k, (setting, words) in enumerate(METHODS.items()):
+        x, y, good = sweeps.points(style.rows(table, setting=setting))
+        ax.loglog(x[good], y[good], "o-", markersize=3, color=style.COLOURS[k], label=words)
+    ax.set_xlabel("milliseconds per simulated second, one core")
+    ax.set_ylabel("error of the tip")
+    ax.set_title(f"a {SCENE} of eight rods: error against time")
     style.plain_log(ax.xaxis)
     style.metres_log(ax.yaxis)
+    style.label_ends(ax)
 
 
 def main():
     asked = style.arguments(__doc__.split("\n")[0], motion="a recorded chain",
-                            csv="methods.csv", result="file of the picture")
+                            csv="sweeps.csv", result="file of the picture")
     made, (left, right) = style.figure("Joints you derive, check, and then measure", panels=2)
     draw_chain(left, asked.motion)
     draw_cost(right, asked.csv)

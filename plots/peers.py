@@ -2,7 +2,6 @@
 """Draws our settings and those of the published engines, error against time, one figure a scene.
 
 peers.py --csv out/peers.csv [--stored bench/peers.csv] --out DIR
-peers.py --csv bench/measured/peers.csv --together docs/beside.svg
 """
 import re
 
@@ -16,21 +15,14 @@ WORDS = ["engine", "real", "scene", "setting", "status", "finding"]
 STORED_NUMBERS = ["us_per_step", "gap_max_m", "tip_error_m"]
 STORED_WORDS = ["engine", "setting", "scene"]
 LOOKS = {"ours": (COLOURS[0], "o"), "Bullet": (COLOURS[1], "s"), "ODE": (COLOURS[2], "D"),
-         "MuJoCo": (COLOURS[3], "^")}
-# The panels of the common drawing: a column, and the title.
-TOGETHER = {"S1": ("tip_error_m", "ten chains of 99 hinges: the tip after 1 s"),
-            "S5": ("tip_error_m", "three hinges: the tip after 1 s"),
-            "S7": ("gap_max_m", "ten such chains, gravity sideways: largest gap"),
-            "S3b": ("gap_max_m", "rope bridge with 100 kg: largest gap"),
-            "arm": ("found", "arm with six drives: the tool after 1 s"),
-            "beam of 20": ("gap_max_m", "beam of 20 welded cubes: largest gap")}
+         "MuJoCo": (COLOURS[3], "^"), "Simbody": (COLOURS[5], "v")}
 SHORT = {"velocity": "direct", "shake": "direct, positions", "inertia": "direct, added inertia",
          "si30": "30 iterations", "beta1": "beta 1", "4x8": "4 x 8", "omega": "over-relaxed",
          "16x2": "16 x 2", "split": "split impulse", "lanes": "lanes", "lanes10": "lanes",
-         "rows10": "10 iterations",
+         "rows10": "10 iterations", "tree": "reduced", "tree-rk4": "reduced, Runge-Kutta",
          "chapter7": "chapter 7's loop", "rk4": "Runge-Kutta", "plain": "direct, no leapfrog",
          "placed": "positions, no leapfrog"}
-LOST = ("nan", "exploded", "energy+")
+LOST = ("nan", "refused", "exploded", "energy+")
 LEAST = 1e-4  # [mm]: what is better stands at the lower edge
 
 
@@ -127,51 +119,12 @@ def name_front(ax, table, line, x, y, gain=1.5):
                     bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.4, "alpha": 0.85})
 
 
-def draw_together(table, path):
-    """The scenes in small, each with its front and the names on it; all in double."""
-    table = style.rows(table, real="double")
-    figure, axes = style.figure("Error against time of a step", panels=2, rows=3)
-    ours = []
-    figure.set_size_inches(style.WIDTH + 2, 2.9 * style.HEIGHT)
-    for ax, (scene, (column, title)) in zip(axes.flat, TOGETHER.items()):
-        mine = style.rows(table, scene=scene)
-        x, y = mine["us_per_step"], 1000 * mine[column]
-        if column == "found":
-            y = np.abs(mine["found"] - mine["expected"])
-        good = ~np.isin(mine["status"], LOST) & np.isfinite(y) & (y < 1e4)
-        y = np.clip(y, LEAST, None)
-        line = [k for k in front(np.where(good, x, np.inf), np.where(good, y, np.inf)) if good[k]]
-        ours.append(mine["engine"][np.argmin(np.where(good & (y <= 1), x, np.inf))] == "ours")
-        ax.step(np.append(x[line], x[good].max()), np.append(y[line], y[line[-1]]), where="post",
-                color=PALE, linewidth=1.2, zorder=1)
-        for engine, (colour, marker) in LOOKS.items():
-            at = (mine["engine"] == engine) & good
-            ax.plot(x[at], y[at], marker, color=colour, markersize=4.5, zorder=3, label=engine,
-                    alpha=0.75)
-        name_front(ax, mine, line, x, y, gain=8)
-        ax.set_xscale("log")
-        ax.set_yscale("log")
-        ax.minorticks_off()
-        ax.set_ylim(LEAST / 3, None)
-        ax.set_title(title, fontsize=9, loc="left")
-        ax.set_ylabel("error  [mm]")
-    for ax in axes[-1]:
-        ax.set_xlabel("time of a step  [us]")
-    axes[1, 0].legend(loc="center right", fontsize=8)
-    style.entitle(figure, "Error against time of a step, the grey line the fastest at each error: "
-                  f"at 1 mm it is ours in {sum(ours)} of {len(ours)} scenes")
-    style.save(figure, path / path.stem)
-
-
 def main():
     given = style.arguments("Draws ours beside the published engines.",
                             csv="the table that ./wb bench --peers writes",
                             stored="optional: figures of engines that are not packaged",
-                            together="optional: a drawing of some scenes in small, an SVG",
                             out="optional: folder of the figures, one a scene")
     table = style.rows(style.read_csv(given.csv, NUMBERS, WORDS, "./wb bench --peers"))
-    if given.together:
-        draw_together(table, given.together)
     if not given.out:
         return
     stored = style.rows(style.read_csv(given.stored, STORED_NUMBERS, STORED_WORDS, "")) \

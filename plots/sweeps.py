@@ -25,6 +25,7 @@ CURVES = (
     ("ours", "beta1:30", "iterations", "30 iterations"),
     ("ours", "velocity", "one solve", "direct"),
     ("ours", "shake", "one solve", "direct, positions"),
+    ("ours", "inertia", "one solve", "direct, the default"),
     ("ours", "rk4", "Runge-Kutta", "rows, Runge-Kutta"),
     ("ours", "tree", "reduced", "reduced"),
     ("ours", "tree-rk4", "Runge-Kutta", "reduced, Runge-Kutta"),
@@ -35,7 +36,9 @@ CURVES = (
     ("ODE", "dense erp 1", "one solve", "dense, erp 1"),
     ("MuJoCo", "Euler (its default)", "reduced", "Euler"),
     ("MuJoCo", "implicit", "reduced", "implicit"),
-    ("MuJoCo", "Runge-Kutta", "Runge-Kutta", "Runge-Kutta"))
+    ("MuJoCo", "Runge-Kutta", "Runge-Kutta", "Runge-Kutta"),
+    ("Simbody", "Verlet", "reduced", "Verlet"),
+    ("Simbody", "Runge-Kutta-Merson", "Runge-Kutta", "Runge-Kutta-Merson"))
 LEVELS = (1e-3, 1e-6)  # [m], of the title
 
 
@@ -72,6 +75,8 @@ def fastest(table, level):
 
 def draw_scene(ax, table, large):
     for engine, setting, kind, words in CURVES:
+        if not large and setting == "shake":  # as the default, but for an inertia
+            continue
         curve = style.rows(table, engine=engine, setting=setting)
         x, y, good = points(curve)
         exact = np.cumsum(y <= REFERENCE)  # one point at the floor shows that it is reached
@@ -80,12 +85,13 @@ def draw_scene(ax, table, large):
             continue
         line, marker = KIND[kind]
         colour, bars = ENGINE[engine], curve["spread"][good] / 2 * x[good]
-        ax.errorbar(x[good], y[good], xerr=bars, color=colour, linestyle=line,
-                    marker=marker, markersize=4 if large else 2.4, linewidth=1.3 if large else 0.9,
-                    elinewidth=2.2, markerfacecolor=colour if engine == "ours" else "white",
-                    label="_bars", zorder=4 if engine == "ours" else 3)
-        ax.plot(x[good], y[good], color=colour, linewidth=0, zorder=1,
-                label=f"{'' if engine == 'ours' else engine + ', '}{words}")
+        ax.plot(x[good], y[good], color=colour, linestyle=line, marker=marker,
+                markersize=4 if large else 2.4, linewidth=1.3 if large else 0.9,
+                markerfacecolor=colour if engine == "ours" else "white",
+                label=f"{'' if engine == 'ours' else engine + ', '}{words}",
+                zorder=4 if engine == "ours" else 3)
+        if large:
+            ax.hlines(y[good], x[good] - bars, x[good] + bars, color=colour, linewidth=2.2)
     x, y, good = points(table)
     line = [k for k in front(np.where(good, x, np.inf), np.where(good, y, np.inf)) if good[k]]
     ax.step(np.append(x[line], x[good].max()), np.append(y[line], y[line[-1]]), where="post",
@@ -100,8 +106,8 @@ def draw_scene(ax, table, large):
 def draw_slopes(ax):
     """Triangles: how fast an error falls where half the step takes twice the time."""
     right = ax.get_xlim()[1]
-    for order, share in ((1, 0.02), (2, 0.1), (4, 0.5)):
-        x, high, wide = right * share, 1.0, 3.0
+    for order, share in ((1, 0.012), (2, 0.05), (4, 0.2)):
+        x, high, wide = right * share, 1.0, 2.5
         low = high / wide ** order
         ax.fill([x, wide * x, x], [high, low, low], facecolor="none", edgecolor=INK, linewidth=0.8)
         ax.annotate(f"order {order}", (x, low), xytext=(0, -3), va="top", fontsize=7.5,
@@ -126,10 +132,10 @@ def legend(ax):
         ax.plot([0, 0.26], [k, k], color=INK, linestyle=line, marker=marker, markersize=3.5,
                 markerfacecolor="white", linewidth=1)
         ax.text(0.34, k, kind, va="center", fontsize=8)
-    for k, (engine, colour) in enumerate(list(ENGINE.items())[:4], start=len(KIND)):
+    for k, (engine, colour) in enumerate(ENGINE.items(), start=len(KIND)):
         ax.plot([0, 0.26], [k, k], color=colour, linewidth=2.5)
         ax.text(0.34, k, engine, va="center", fontsize=8)
-    k = len(KIND) + 4
+    k = len(KIND) + len(ENGINE)
     ax.plot([0, 0.26], [k, k], color=PALE, linewidth=4, alpha=0.35)
     ax.text(0.34, k, "front of all methods", va="center", fontsize=8)
     ax.plot([0, 0.26], [k + 1, k + 1], color=INK, linewidth=1, dashes=(2, 2))
@@ -171,8 +177,8 @@ def machine(table):
     engines = ", ".join(dict.fromkeys(f"{engine} {version}" for engine, version in
                                       zip(table["engine"], table["version"]) if version))
     return (f"{words[0]}, one core, double. Ours: {words[-1]}. {engines}: Debian's packages, -O2, "
-            "any x86-64. Bars: from quartile to quartile of the times. All start with half a step "
-            "of the forces.")
+            "any x86-64. Bars in the large panel: from quartile to quartile of the times. All "
+            "start with half a step of the forces.")
 
 
 def main():

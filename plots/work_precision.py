@@ -205,10 +205,9 @@ def draw(rows, measure, peers, out):
         points = draw_setting(ours, group, measure, colour)
         lines.append((named(group[0]) if key in coloured else "", colour, points))
     labels = [lines, list(draw_peers(axes[-1], peers, measure)) if peers else []]
+    if len(front):  # a staircase: between two points no setting exists
+        ours.step(*at_front.T, where="post", color=COLOURS[5], linewidth=5, alpha=0.45, zorder=1)
     for ax in axes:
-        if len(front):
-            ax.plot(*at_front.T, color=COLOURS[5], linewidth=7, alpha=0.45, zorder=1,
-                    solid_capstyle="round", solid_joinstyle="round")
         if floor:
             ax.axhline(floor[0], color=INK, linewidth=1, dashes=(2, 2))
         style.plain_log(ax.xaxis, lambda us: style.metres(1e-6 * us, "s"), 30 if peers else 300)
@@ -219,7 +218,8 @@ def draw(rows, measure, peers, out):
     figure.get_layout_engine().execute(figure)
     figure.set_layout_engine("none")
     for ax, named_lines in zip(axes, labels):
-        label(ax, named_lines, at_front, [] if ax is not axes[-1] and len(axes) > 1 else floor)
+        label(ax, named_lines, at_front if ax is ours else [],
+              [] if ax is not axes[-1] and len(axes) > 1 else floor)
     style.save(figure, out / (slug(rows[0]) + suffix + "_" + real))
 
 

@@ -33,7 +33,7 @@ TABLES = {"stability": "stiff, extreme and redundant scenes: which setting holds
           "sweeps": "error against run time over the length of the step",
           "families": "scenes drawn by seeds: how many each setting holds",
           "stacks": "boxes on each other: which of them stand for a minute",
-          "peers": "ours beside Bullet, ODE and MuJoCo of Debian",
+          "peers": "ours beside Bullet, ODE, MuJoCo and Simbody of Debian",
           "contacts": "our contacts beside those of Bullet and ODE",
           "convergence": "iterations until a chain is right, method by method",
           "loop": "a joint and iteration, from the textbook's loop to lanes",

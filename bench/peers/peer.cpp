@@ -167,6 +167,9 @@ std::vector<PeerSetting> peer_settings([[maybe_unused]] bool search) {
 #ifdef PEER_MUJOCO
   add(mujoco_settings(search));
 #endif
+#ifdef PEER_SIMBODY
+  add(simbody_settings(search));
+#endif
   return all;
 }
 

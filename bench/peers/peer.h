@@ -86,11 +86,14 @@ struct PeerSetting {
   bool exact = false;           ///< it does not iterate: its first step has the true acceleration
   int substeps = 1;             ///< each begins with its forces; 0: of order 4 by itself
   bool reduced = false;         ///< reduced coordinates: it starts with rates of its joints
+  bool trees_only = false;      ///< no loops, no limits or motors, no contacts
   std::function<std::unique_ptr<Peer>(const PeerScene&)> make{};
 
   bool takes(const PeerScene& scene) const {
     return (most_joints == 0 || int(scene.joints.size()) <= most_joints) &&
-           (contacts || !scene.touches());
+           (contacts || !scene.touches()) &&
+           (!trees_only || (!scene.touches() && !scene.is_driven() &&
+                            trees_of(scene).loops.empty()));
   }
   Setting setting() const;      ///< for the runner
 };
@@ -98,6 +101,7 @@ struct PeerSetting {
 std::vector<PeerSetting> bullet_settings(bool search);  ///< of the same kind of number as `real`
 std::vector<PeerSetting> ode_settings(bool search);     ///< double
 std::vector<PeerSetting> mujoco_settings(bool search);  ///< double
+std::vector<PeerSetting> simbody_settings(bool search);  ///< double
 std::vector<PeerSetting> bullet_heap_settings();  ///< those of heaps.h
 std::vector<PeerSetting> ode_heap_settings();     ///< those of heaps.h
 /// Of all engines that are compiled in. \param search those of the search for the best instead

@@ -94,8 +94,11 @@ void measure(FILE* file, const PeerEntry& entry, const Options& options) {
   for (Contender& one : all) {
     std::fprintf(stderr, "%s, %s, %s\n", entry.name.c_str(), one.who.engine.c_str(),
                  one.who.name.c_str());
-    if (entry.make().tip_mask != glm::dvec3(0))
-      one.own_start = run(entry.make, one.setting, 1, entry.span).tip_error;
+    if (const BenchScene scene = entry.make(); scene.tip_mask != glm::dvec3(0)) {
+      const int steps = int(std::lround(scene.tip_time / double(entry.span.h)));
+      one.own_start =
+          run(entry.make, one.setting, 1, {.h = entry.span.h, .steps = steps}).tip_error;
+    }
     one.setting = with_same_start(one.setting);
     one.result = run(entry.make, one.setting, 1, entry.span);
     one.bytes = bytes_of(entry, one);

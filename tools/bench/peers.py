@@ -9,7 +9,7 @@ from bench.measuring import MEASURED, cells, heading, read, run_bench, tell
 
 PROGRAM = "bench/peers/peers"
 PACKAGES = {"libbullet-dev": "bullet/btBulletDynamicsCommon.h", "libode-dev": "ode/ode.h",
-            "libmujoco-dev": "mujoco/mujoco.h"}
+            "libmujoco-dev": "mujoco/mujoco.h", "libsimbody-dev": "simbody/Simbody.h"}
 INCLUDE = Path("/usr/include")
 OURS = "ours"
 BUSY = 0.5       # of the load average: what else runs is said above it
@@ -61,7 +61,7 @@ def ninja():
 
 def size(row, measure):
     """How far off a row is; infinite where it is lost or has no such measure."""
-    if row["status"] in ("nan", "exploded", "energy+") or not row[measure]:
+    if row["status"] in ("nan", "refused", "exploded", "energy+") or not row[measure]:
         return float("inf")
     if measure == "energy_drift" and row["finding"]:
         return float("inf")  # it is meant to lose some

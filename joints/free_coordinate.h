@@ -273,10 +273,10 @@ class FreeCoordinate {
     bool limited() const { return range.lower > -unbounded || range.upper < unbounded; }
     bool held() const { return range.lower == range.upper; }
     bool servo() const { return target < unbounded; }
-    bool pushes() const { return motor.strength > 0 || friction > 0 || spring.duration_or(); }
+    bool pushes() const { return motor.strength > 0 || friction > 0 || spring.acts(); }
     // How far x may move until it has to be measured.
     real slack() const {
-      return servo() || spring.duration_or() ? 0 : std::min(x - range.lower, range.upper - x);
+      return servo() || spring.acts() ? 0 : std::min(x - range.lower, range.upper - x);
     }
   };
   // Access for a change of settings: makes the next step measure.
@@ -334,7 +334,7 @@ class FreeCoordinate {
     if (now.limit_sign != before) limit_impulse() = 0;
     if (data.motor.strength == 0) now.motor_impulse = 0;
     if (data.friction == 0) now.friction_impulse = 0;
-    if (!data.spring.duration_or()) now.spring_impulse = 0;
+    if (!data.spring.acts()) now.spring_impulse = 0;
     now.late_sign = now.late_impulse = 0;
   }
   [[gnu::noinline]] void find_late(const Bodies& bodies, real h, Blocks& blocks) {
@@ -354,7 +354,7 @@ class FreeCoordinate {
   // bounds are shifted by the weaker strength in opposite directions instead; the sum is unchanged.
   [[gnu::noinline]] void append_acting(const Bodies& bodies, Blocks& blocks) const {
     const Data& data = *data_;
-    if (data.spring.duration_or()) {
+    if (data.spring.acts()) {
       const Body &a = at(bodies, joint_.body1), &b = at(bodies, joint_.body2);
       const Row J = coordinate_.jacobian(a, b);
       Row response;

@@ -63,7 +63,7 @@ struct Spring {
   real rest = 0;              ///< the value of x at which it exerts no force [rad]
   real strength = unbounded;  ///< greatest torque in either direction [N m]
   /// True if it has a row.
-  bool duration_or() const { return strength > 0 && (stiffness > 0 || damping > 0); }
+  bool acts() const { return strength > 0 && (stiffness > 0 || damping > 0); }
 };
 /// Validates it. \throws std::invalid_argument unless all numbers are finite (the strength may be
 /// infinite), the rest position is within max_limit and nothing else is negative

@@ -57,7 +57,7 @@ void Drive::begin(const TreeLink& link, real h, bool first) {
   // The spring. Soft ones by the midpoint rule in both halves, stiff ones implicitly.
   added = spring = 0;
   const auto [stiffness, damping, rest, strength] = s.spring;
-  if (!s.spring.duration_or()) return;
+  if (!s.spring.acts()) return;
   const real half = h / 2, D = std::max(link.D, std::numeric_limits<real>::min());
   const real of_k = share(stiffness * half * half / D), of_c = share(damping * half / D);
   if (first) {
@@ -114,7 +114,7 @@ bool Drive::right(const TreeLink& link, real base, real half, int& to, int& clip
     if (k < count && rate > thresholds[k].rate + slop) to = place + 1;
   }
   const real strength = settings.spring.strength;
-  if (to == place && settings.spring.duration_or() && strength < unbounded) {
+  if (to == place && settings.spring.acts() && strength < unbounded) {
     const real linear = spring - added * link.acceleration;
     clip = linear > strength ? 1 : linear < -strength ? -1 : 0;
   }

@@ -12,6 +12,7 @@ import sys
 from made import ANSWERS, exercises, house, live, page, skip_without
 
 from door import Door
+from pictures import pages
 from proofs import main
 
 STEPS = 300
@@ -141,7 +142,8 @@ def a_reader_gets_a_page(root, build):
         labels = re.findall(r'"label":"([^"]+)"', text)
         if labels != ["yours", "the solution"]:
             yield f"the page's modules are {labels}"
-        if "https:" in text or "http:" in text:
+        own = text.replace(pages.three(), "")  # without the names of its authors
+        if "https:" in own or "http:" in own:
             yield "the page names an address of the network"
         door.file.write_text(exercises.read(door.file).replace("return", "retrun", 1))
         line = door.file.read_text().split("retrun")[0].count("\n") + 1

@@ -76,7 +76,7 @@ class LiveRun {
   World& world() const { return live_.scene->world; }
 
   LiveScene live_;
-  DirectSolver direct_;
+  DirectSolver direct_ = DirectSolver::velocities_only();
   bool is_direct_ = false, is_own_ = false;
   double ratio_, tilt_ = 0, speed_, strength_, beta_, time_ = 0, energy_0_ = 0,
       energy_scale_;

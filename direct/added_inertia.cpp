@@ -133,12 +133,15 @@ struct Whole {
 
 }  // namespace
 
+bool AddedInertia::is_free(const Island& island) {
+  const std::vector<bool>& moves = island.system.moves;
+  return !island.left && !island.alternates &&
+         std::find(moves.begin(), moves.end(), false) == moves.end();
+}
+
 void AddedInertia::keep_momentum(const Island& island, const std::vector<Body>& before,
                                  Bodies& bodies) const {
-  const std::vector<bool>& moves = island.system.moves;
-  if (island.left || island.alternates ||
-      std::find(moves.begin(), moves.end(), false) != moves.end())
-    return;
+  if (!is_free(island)) return;
   Whole was, is;
   island.for_moving([&](int slot) { was.add(before[slot]), is.add(bodies.at(slot)); });
   const glm::dvec3 centre = is.centre / is.mass;

@@ -41,6 +41,8 @@ class AddedInertia {
     if (adds(slot)) body.w = now_[slot].slowed.w;
   }
 
+  /// True if nothing holds an island.
+  static bool is_free(const Island& island);
   /// Gives an island that nothing holds the angular momentum that it had before the impulses, by a
   /// rotation of the whole: no joint in it opens. The others are left as they are.
   /// \param before the bodies, with the poses and velocities of that time

@@ -199,7 +199,9 @@ void DirectSolver::warm_start(Bodies& bodies, real ratio) {
   if (!again_) {
     if (report_.iterated) fallback.warm_start(bodies, 0);
     ratio_ = ratio > 0 ? real(1) : real(0);
-    if (inertia_.used() || newton > 0) before_.assign(bodies.begin(), bodies.end());
+    const bool free = newton > 0 && std::any_of(islands_.list.begin(), islands_.list.end(),
+                                                AddedInertia::is_free);
+    if (inertia_.used() || free) before_.assign(bodies.begin(), bodies.end());
   }
   for (const Island& island : islands_.list)
     if (inertia_.used() && island.active)

@@ -57,8 +57,9 @@ bool one_euler_step(const bench::PeerSetting& peer) {
 TEST_CASE("the first step of every peer that does not iterate has the exact acceleration") {
   std::vector<bench::PeerEntry> entries = bench::peer_entries(true);
   entries.push_back({.name = "slider", .make = slide});
+  // In float feedback divides the rounding of an anchor by the step, which hides accelerations.
   for (const bench::AccuracyScene& scene : bench::accuracy_scenes())
-    if (scene.key != "wheel on an axle" && scene.key != "top")  // at rest: no turn in the step
+    if (in_double && scene.key != "wheel on an axle" && scene.key != "top")  // at rest
       entries.push_back({.name = scene.key, .make = scene.make});
   int compared = 0;
   for (const bench::PeerEntry& entry : entries) {

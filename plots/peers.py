@@ -9,6 +9,7 @@ import numpy as np
 
 import style
 from style import COLOURS, PALE
+from sweeps import front
 
 NUMBERS = ["us_per_step", "gap_max_m", "tip_error_m", "expected", "found"]
 WORDS = ["engine", "real", "scene", "setting", "status", "finding"]
@@ -31,16 +32,6 @@ def errors(table, scene):
     if np.isfinite(table["tip_error_m"]).any():
         return 1000 * table["tip_error_m"], "error of the tip after 1 s  [mm]"
     return 1000 * table["gap_max_m"], "largest gap of a joint  [mm]"
-
-
-def front(x, y):
-    """The points to which no other is superior in both."""
-    order, best, out = np.lexsort((y, x)), np.inf, []
-    for k in order:
-        if y[k] < 0.999 * best:
-            best = y[k]
-            out.append(k)
-    return out
 
 
 def draw(table, stored, scene, out):

@@ -1,6 +1,8 @@
 """The sources: their includes and lengths: sources_test.py ROOT BUILD"""
 import re
+import subprocess
 import sys
+from pathlib import Path
 
 from proofs import beyond, files, main, read
 
@@ -57,6 +59,15 @@ def sources_are_short(root, build):
         yield from beyond(name, len(lines), LINES, "lines")
 
 
+def files_have_a_name(root, build):
+    """whatever is kept says by its name what it is: a kind, or one of the names that tools look for"""
+    known = {"wb", "LICENSE", "Dockerfile", "Doxyfile", "run", "other_debian"}
+    kept = subprocess.run(["git", "ls-files", "-z"], cwd=root, capture_output=True, text=True)
+    for name in filter(None, kept.stdout.split("\0")):
+        if "." not in Path(name).name and Path(name).name not in known:
+            yield f"{name}: what is it? Give it an ending, or remove it"
+
+
 def drawing_is_true(root, build):
     """the drawing of docs/architecture.md has every folder on its level"""
     drawn = set(re.findall(r'id="(\w+ on level \d+)"', read(root / "docs/architecture.svg")))
@@ -77,7 +88,7 @@ def colours_stand_once(root, build):
                 yield f"{path.relative_to(root)}: {match[0]}"
 
 
-PROOFS = [layers_hold, colours_stand_once, drawing_is_true, sources_are_short]
+PROOFS = [layers_hold, files_have_a_name, colours_stand_once, drawing_is_true, sources_are_short]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

@@ -60,7 +60,7 @@ def sources_are_short(root, build):
 
 
 def files_have_a_name(root, build):
-    """whatever is kept says by its name what it is: a kind, or one of the names that tools look for"""
+    """whatever is kept says by its name what it is: a kind, or a name that tools look for"""
     known = {"wb", "LICENSE", "Dockerfile", "Doxyfile", "run", "other_debian"}
     kept = subprocess.run(["git", "ls-files", "-z"], cwd=root, capture_output=True, text=True)
     for name in filter(None, kept.stdout.split("\0")):

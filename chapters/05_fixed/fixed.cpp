@@ -50,4 +50,24 @@ bool breaks(const Reaction& load, const Strength& strength) {
   // end [exercise 5.2]
 }
 
+// ---- a joint of your own --------------------------------------------------------------------
+
+FourRows sleeve(const Kit& kit, const Body& body1, const Body& body2) {
+  // begin [exercise 5.3]
+  // Choose the parts of the kit that leave a sleeve its sliding and its rotation, and nothing else.
+  // Return C, J and K of all their rows as one block, those of a translation first.
+  // coupling(a, b, body1, body2) of chapter 3 is a M^-1 b^T for any two rows.
+  todo("5.3");
+  // end [exercise 5.3]
+}
+
+Reaction transmitted(const Jacobian<4>& J, const Vector<4>& impulse, real h, const Body& body2,
+                     const vec3& seam) {
+  // begin [exercise 5.3]
+  // The rows have any direction. Ask of each: which impulse, and which angular impulse about the
+  // centre, does it apply to body 2? Return the mean force, and the mean torque about `seam`.
+  todo("5.3");
+  // end [exercise 5.3]
+}
+
 }  // namespace joints

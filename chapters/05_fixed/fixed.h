@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/02_ball/ball.h"
+#include "chapters/03_hinge/hinge.h"
 #include "chapters/04_slider/slider.h"
 #include "engine/composite.h"
 #include "engine/kept/reaction.h"
@@ -49,6 +50,30 @@ struct Strength {
 
 /// Exercise 5.2, third part: true if the force or the torque exceeds the strength.
 bool breaks(const Reaction& load, const Strength& strength);
+
+/// The parts for a joint of your own, all made for the same pose, anchor and axis; the axis is the
+/// direction of the line, too.
+struct Kit {
+  Point point;        ///< of chapter 2, at the anchor
+  Line line;          ///< of chapter 4, through the anchor
+  Axis axis;          ///< of chapter 3
+  RotationLock lock;  ///< of chapter 4
+};
+/// C, J and K of four rows that are solved as one block.
+struct FourRows {
+  Vector<4> C{};      ///< [the unit of each row]
+  Jacobian<4> J;      ///< [that unit per m, or 1]
+  Matrix<4> K{};      ///< J M^-1 J^T [1/kg, 1/(kg m) or 1/(kg m^2)]
+};
+/// Exercise 5.3, first part: a sleeve on a shaft, which slides along the kit's axis and rotates
+/// about it, and moves in no other way. Removes four degrees of freedom; translations come first.
+FourRows sleeve(const Kit& kit, const Body& body1, const Body& body2);
+
+/// Exercise 5.3, second part: the mean load of four rows of any direction in a step.
+/// \param impulse their accumulated impulses \param h that step [s]
+/// \param seam the point of the torque [m, world] \return force and torque on body 2
+Reaction transmitted(const Jacobian<4>& J, const Vector<4>& impulse, real h, const Body& body2,
+                     const vec3& seam);
 #endif
 
 }  // namespace joints

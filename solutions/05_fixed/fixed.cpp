@@ -52,4 +52,39 @@ bool breaks(const Reaction& load, const Strength& strength) {
   // end [exercise 5.2]
 }
 
+// ---- a joint of your own --------------------------------------------------------------------
+
+FourRows sleeve(const Kit& kit, const Body& body1, const Body& body2) {
+  // begin [exercise 5.3]
+  // Choose the parts of the kit that leave a sleeve its sliding and its rotation, and nothing else.
+  // Return C, J and K of all their rows as one block, those of a translation first.
+  // coupling(a, b, body1, body2) of chapter 3 is a M^-1 b^T for any two rows.
+  FourRows all;
+  const Vector<2> aside = kit.line.error(body1, body2), tilt = kit.axis.error(body1, body2);
+  const Jacobian<2> upper = kit.line.jacobian(body1, body2);
+  const Jacobian<2> lower = kit.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) {
+    all.C[i] = aside[i], all.C[i + 2] = tilt[i];
+    all.J[i] = upper[i], all.J[i + 2] = lower[i];
+  }
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) all.K[i][j] = coupling(all.J[i], all.J[j], body1, body2);
+  return all;
+  // end [exercise 5.3]
+}
+
+Reaction transmitted(const Jacobian<4>& J, const Vector<4>& impulse, real h, const Body& body2,
+                     const vec3& seam) {
+  // begin [exercise 5.3]
+  // The rows have any direction. Ask of each: which impulse, and which angular impulse about the
+  // centre, does it apply to body 2? Return the mean force, and the mean torque about `seam`.
+  vec3 push = impulse[0] * J[0].v2, couple = impulse[0] * J[0].w2;
+  for (int i = 1; i < 4; ++i) {
+    push += impulse[i] * J[i].v2;
+    couple += impulse[i] * J[i].w2;
+  }
+  return {push / h, (couple + cross(body2.x - seam, push)) / h};  // Eq. 5-7
+  // end [exercise 5.3]
+}
+
 }  // namespace joints

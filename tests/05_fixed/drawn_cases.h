@@ -1,7 +1,7 @@
-// Exercises 5.1 and 5.2: cases drawn over scales and sides.
+// Exercises 5.1 to 5.3: cases drawn over scales and sides.
 #pragma once
 
-#include "chapters/05_fixed/fixed.h"
+#include "tests/05_fixed/sleeve_cases.h"
 #include "tests/checker/drawn.h"
 #include "tests/checker/vector_cases.h"
 
@@ -63,6 +63,37 @@ inline Drawn drawn_breaks(Draw& d) {
   const real most = unbounded ? std::numeric_limits<real>::infinity() : real(force);
   return {{"breaks (1 yes)"}, {double(breaks(load, {most, real(torque)}))},
           {double(too_far || turned)}, {1}};
+}
+
+/// A pair and a kit of any size, at any pose.
+inline SleeveCase drawn_kit(Draw& d, const Draw::Units& u) {
+  const Pair pair = d.pair(u);
+  const auto [anchor1, anchor2] = d.levers(u);
+  const quat turn = d.turn();
+  const vec3 b = turn * vec3(0, 1, 0), c = turn * vec3(0, 0, 1);
+  return {"", {{anchor1, anchor2}, {anchor1, anchor2, b, c}, {cross(b, c), c, b}, {}}, pair};
+}
+inline Drawn drawn_sleeve(Draw& d) {
+  const Draw::Units u = d.units();
+  const auto [words, kit, pair] = drawn_kit(d, u);
+  return drawn_K(d, sleeve(kit, pair.body1, pair.body2).K, composed(kit, pair).J, pair, u.kg);
+}
+inline Drawn drawn_transmitted(Draw& d) {
+  const Draw::Units u = d.units();
+  const auto [words, kit, pair] = drawn_kit(d, u);
+  const double h = 0.01 * u.s, force = d.size("force", u.kg * u.m / u.s / u.s, "N");
+  TransmittedCase c{"", composed(kit, pair).J, {}, real(h), pair.body2, d.vector(u.m)};
+  for (const std::size_t i : {0, 1, 2, 3})
+    c.impulse[i] = d.chance("an impulse is 0") ? 0 : real(d.number() * h * force *
+                                                          (i < 2 ? 1 : u.m));
+  const Reaction load = transmitted(c.J, c.impulse, c.h, c.body2, c.seam);
+  const Numbers right = transmitted_right(c);
+  double lever = double(length(c.body2.x - c.seam)) + u.m;
+  for (const Row& row : c.J.row) lever += double(length(row.w2)) / 4;
+  Drawn out = drawn_vectors({"force", "torque"}, flat(std::vector<vec3>{load.force, load.torque}),
+                            right, {force, force * lever});
+  out.sizes = {5};
+  return out;
 }
 
 }  // namespace joints::testing

@@ -4,6 +4,7 @@
 #include "tests/05_fixed/cross_cases.h"
 #include "tests/05_fixed/drawn_cases.h"
 #include "tests/05_fixed/load_cases.h"
+#include "tests/05_fixed/sleeve_cases.h"
 #include "tests/checker/catch.h"
 
 using namespace joints;
@@ -72,4 +73,31 @@ TEST_CASE("5.2 a load is its impulses over the time, however small", "[5.2]") {
 
 TEST_CASE("5.2 a weld breaks just above a bound and not just below", "[5.2]") {
   if (!is_float) check_drawn({"5.2", "whether a weld breaks", 3}, drawn_breaks);
+}
+
+// ---- 5.3 ----------------------------------------------------------------------------------------
+
+TEST_CASE("5.3 a sleeve on the shaft of the text has four rows, coupled in pairs", "[5.3]") {
+  Numbers right{0, 0, 0, 0, 1.125, 0, -1.25, 0, 0, 3.5, 0, -1, -1.25, 0, 2.5, 0, 0, -1, 0, 2};
+  const Numbers rows{0, -1, 0, 0, 0, -1,  0, 1, 0, 0,  0,    0.5,   // n1 = y
+                     0, 0, -1, 0, 1, 0,   0, 0, 1, 1,  -0.5, 0,     // n2 = z
+                     0, 0, 0,  0, 0, 1,   0, 0, 0, 0,  0,    -1,    // b x a1
+                     0, 0, 0,  0, -1, 0,  0, 0, 0, 0,  1,    0};    // c x a1
+  right.insert(right.end(), rows.begin(), rows.end());
+  check_numbers(sleeve_table(), paper_sleeve(), right, "by hand ");
+}
+
+TEST_CASE("5.3 a sleeve slides and rotates, and its four rows are one block at every pose",
+          "[5.3]") {
+  check_numbers(sleeve_table());
+}
+
+TEST_CASE("5.3 the load of rows of any direction, about the centre and about a seam", "[5.3]") {
+  check_numbers(transmitted_table(), paper_transmitted(), {0, 5, 0, 0, 0, 4.5}, "by hand ");
+  check_numbers(transmitted_table());
+}
+
+TEST_CASE("5.3 block and load are right in all units", "[5.3]") {
+  check_drawn({"5.3", "K of a sleeve"}, drawn_sleeve);
+  check_drawn({"5.3", "the load of four rows", 2}, drawn_transmitted);
 }

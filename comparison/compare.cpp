@@ -44,7 +44,7 @@ Stepper by(const S& settings, const StepOptions& how) {
 Stepper by_tree(const std::shared_ptr<Reduced>& tree) {
   return [=](World& world, real h) {
     tree->step(world, h);
-    return std::vector<std::string>{};
+    return tree->report().sentences();
   };
 }
 DirectSolver exact() {

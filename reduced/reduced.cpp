@@ -173,6 +173,20 @@ void Reduced::step(World& world, real h) {
   world.last_h = 0;  // the velocities belong to the time of the poses
 }
 
+Reduced::Report Reduced::report() const {
+  Report out;
+  for (const Tree& tree : trees_)
+    if (!(tree.changed() <= out.changed)) out.changed = tree.changed();  // also NaN
+  return out;
+}
+
+std::vector<std::string> Reduced::Report::sentences() const {
+  constexpr double much = 0.4;
+  if (changed <= much) return {};
+  return {"The energy of a tree changed by more than its forces and drives did: a motion is too "
+          "fast for the step. Take a shorter step."};
+}
+
 void Reduced::satisfy(World& world) {
   refresh(world);
   for (const Tree& tree : trees_) tree.write(world.bodies);
@@ -190,8 +204,8 @@ void Reduced::leapfrog(Tree& tree, const World& world, real h) {
     for (int k = 0; k < parts && good; ++k) good = tree.leapfrog(h / real(parts), iterations);
     if (good) return;
   }
-  throw std::runtime_error("h: gyroscopic forces change too much within the step; take a shorter "
-                           "one");
+  throw std::runtime_error("h: the forces of a fast top or a tight chain change too much within "
+                           "the step; take a shorter one");
 }
 
 int Reduced::degrees_of_freedom() const {

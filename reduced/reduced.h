@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <utility>
 
 #include "reduced/tree.h"
@@ -52,11 +53,20 @@ class Reduced {
 
   /// Advances the world by one step. \param h [s] \throws std::invalid_argument as the constructor,
   /// or for an h that is not positive and finite; nothing has changed then
-  /// A tree whose gyroscopic forces change too much within the step, as those of a top on a ball
-  /// joint whose nutation takes less than about three steps, does it in up to 64 parts.
+  /// A tree whose forces change too much within the step, as those of a top on a ball joint whose
+  /// nutation takes less than about three steps, does it in up to 64 parts.
   /// \throws std::runtime_error if that does not suffice; nothing has moved then
   /// \throws std::overflow_error if a number of a body has overflowed
   void step(World& world, real h);
+
+  /// What the last step could not hold.
+  struct Report {
+    /// Largest fraction by which the energy of a tree has changed, except by forces and drives, of
+    /// its kinetic energy, or of the one that a fall within the step brings if that is more [1].
+    double changed = 0;
+    std::vector<std::string> sentences() const;  ///< and what to do about it; none if it was held
+  };
+  Report report() const;
 
   /// Writes the poses and velocities with which the next step begins: they satisfy the joints. The
   /// velocities are changed as impulses of the joints would.

@@ -106,6 +106,8 @@ void Tree::set_explicit_springs() {
 bool Tree::leapfrog(real h, int iterations) {
   Momentum before;
   if (is_free()) before = momentum();
+  const Energy energy_before = energy(h);
+  work_ = 0;
   Change one, two;
   if (!half_kick(h, true, iterations, one)) return false;
   move_freely(links[0], h);
@@ -122,6 +124,7 @@ bool Tree::leapfrog(real h, int iterations) {
   }
   locate_all();
   if (is_free()) keep_momentum(before, h, true);
+  compare_energy(energy_before, h);
   return true;
 }
 
@@ -170,7 +173,13 @@ bool Tree::half_kick(real h, bool first, int iterations, Change& change) {
       settled = settled && change.moved[k] <= enough * change.size[k] + slop[k];
     if (!settled && ++rounds > most_rounds) return false;
   }
-  for (Drive& drive : drives_) drive.add_impulses(links[drive.link], half);
+  for (Drive& drive : drives_) {
+    const TreeLink& link = links[drive.link];
+    drive.add_impulses(link, half);
+    const real rate = (base_rates_[std::size_t(drive.link)] + link.rate) / 2;
+    work_ += double(half * (link.tau - link.added * link.acceleration) * rate);
+  }
+  add_work(half);
   return true;
 }
 
@@ -244,10 +253,16 @@ void Tree::runge_kutta(real h) {
   base_.resize(links.size());
   sum_.resize(links.size());
   for (std::size_t k = 0; k < links.size(); ++k) base_[k] = state_of(links[k]);
+  const Energy energy_before = energy(h);
+  work_ = 0;
   for (int stage = 0; stage < 4; ++stage) {
     find_accelerations();
     const bool last = stage == 3;
     const real time = times[stage] * h, factor = last ? h / 6 : time;
+    const real share = weights[stage] * h / 6;
+    add_work(share);
+    for (const Drive& drive : drives_)
+      work_ += double(share * links[drive.link].tau * links[drive.link].rate);
     for (std::size_t k = 0; k < links.size(); ++k) {
       TreeLink& link = links[k];
       const State& base = base_[k];
@@ -275,6 +290,38 @@ void Tree::runge_kutta(real h) {
   }
   locate_all();
   if (is_free()) keep_momentum(before, h, !forced_);
+  compare_energy(energy_before, h);
+}
+
+// ---- energy -------------------------------------------------------------------------------------
+
+// Without the potential of springs: they are drives, whose work is added up.
+Tree::Energy Tree::energy(real h) const {
+  Energy sum;
+  for (const TreeLink& link : links) {
+    if (link.mass == 0) continue;
+    sum.kinetic += double(link.mass * dot(link.v, link.v) + dot(link.w, link.inertia * link.w)) / 2;
+    sum.total -= double(dot(link.force, link.centre));
+    sum.fall += double(link.mass * gravity_ * h * gravity_ * h) / 2;
+  }
+  sum.total += sum.kinetic;
+  return sum;
+}
+
+// The work of torques, and of what moves a kinematic root.
+void Tree::add_work(real time) {
+  const TreeLink& root = links[0];
+  if (!is_free()) work_ += double(time * (dot(root.f, root.v) + dot(root.n, root.w)));
+  if (!forced_) return;
+  for (const TreeLink& link : links) work_ += double(time * dot(link.torque, link.w));
+}
+
+void Tree::compare_energy(const Energy& before, real h) {
+  const Energy now = energy(h);
+  const double rounding = 1e3 * double(epsilon) * (std::abs(before.total) + std::abs(now.total));
+  const double part = std::abs(now.total - before.total - work_) /
+                      (std::max(before.kinetic, now.kinetic) + now.fall + rounding);
+  if (!(part <= changed_)) changed_ = part;  // also NaN
 }
 
 // ---- momentum -----------------------------------------------------------------------------------

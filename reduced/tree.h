@@ -48,8 +48,12 @@ class Tree {
   /// \param iterations of the first half kick, at least
   /// \return false if the forces change too much within the step; the state is then undefined
   bool leapfrog(real h, int iterations);
-  /// Sums of impulses begin anew.
+  /// The largest fraction by which a step has changed the energy, except by forces and drives, of
+  /// the kinetic energy; at least of the one that a fall within a step brings [1].
+  double changed() const { return changed_; }
+  /// Sums of impulses begin anew, and so does changed().
   void begin_impulses() {
+    changed_ = 0;
     for (Drive& drive : drives_) drive.impulse = {};
   }
   /// The Runge-Kutta method of order 4. No drives but springs without a bound. \param h [s]
@@ -71,6 +75,9 @@ class Tree {
     vec3 centre{0}, linear{0}, angular{0}, torque{0};  // the latter two about the centre
     mat3 inertia{0};
   };
+  struct Energy {  // [J]
+    double kinetic = 0, total = 0, fall = 0;
+  };
   struct Masses {
     real inverse_mass = 0;
     vec3 inverse_inertia{0};
@@ -90,6 +97,9 @@ class Tree {
   void set_explicit_springs();
   Momentum momentum() const;
   void keep_momentum(const Momentum& before, real h, bool angular);
+  Energy energy(real h) const;
+  void add_work(real time);
+  void compare_energy(const Energy& before, real h);
 
   std::vector<Drive> drives_;
   std::vector<State> base_, sum_;  // at the beginning of a step or kick; weighted slopes
@@ -98,6 +108,7 @@ class Tree {
   std::vector<vec3> base_w_;
   vec3 base_v_{0};
   int fewest_wrong_ = 0, passes_without_gain_ = 0;
+  double work_ = 0, changed_ = 0;
   real gravity_ = 0;      // its magnitude [m/s^2]
   bool forced_ = false;   // a body has an external force or torque
   bool fresh_ = true;     // accelerations of the last half kick are not those of this pose

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/world.h"
@@ -41,6 +43,15 @@ State save(const World& world);
 /// valid. \throws std::invalid_argument for the state of a world with another structure, or for
 /// numbers that no world can have; then nothing has changed
 void restore(World& world, const State& state);
+
+/// A state as bytes, to be written to a file or sent to another machine with the same processor and
+/// a library of the same version.
+std::string to_bytes(const State& state);
+
+/// The state that to_bytes() has written. It fits only the world for which restore() accepts it.
+/// \throws std::invalid_argument for bytes that are no state, for those of another version or of
+/// another kind of number, for too few and too many
+State from_bytes(std::string_view bytes);
 
 }  // namespace joints
 /// @}

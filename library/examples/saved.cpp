@@ -36,7 +36,7 @@ int main() {
               -energy(all_of(world.bodies), world.gravity), contraction_rate(world, 1000));
   const State then = after_a_second(world);
   restore(world, now);
-  restore(other, now);
+  restore(other, from_bytes(to_bytes(now)));  // as through a file
   const bool same = after_a_second(world) == then && after_a_second(other) == then;
   std::printf("the next second, repeated and in the other world: %s\n",
               same ? "the same" : "different");

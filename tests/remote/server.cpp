@@ -67,7 +67,7 @@ int main() {
   action.sa_flags = SA_ONSTACK | int(SA_RESETHAND);
   sigaction(SIGSEGV, &action, nullptr);  // tests/checker/stack.cpp listens
   remote::serve_all();
-  remote::Bytes call;
+  joints::Bytes call;
   for (remote::Kind kind; remote::receive(remote::from, kind, call);) remote::answer(call);
   std::_Exit(0);
 }

@@ -77,7 +77,8 @@ class Bag:
             self.add(PurePosixPath(place.name), place.stat().st_size, lambda: place.read_bytes())
 
     def walk(self, folder):
-        for at, folders, names in os.walk(folder):
+        for at, folders, names in os.walk(folder, onerror=lambda error: self.notes.append(
+                f"A folder cannot be read: {error.strerror}.")):
             folders[:] = sorted(name for name in folders if not NOT_THEIRS.match(name))
             for path in (Path(at, name) for name in sorted(names)):
                 inner = PurePosixPath(path.relative_to(self.place))
@@ -88,15 +89,19 @@ class Bag:
 
     def add(self, inner, size, read, depth=0):
         self.count += 1
-        if self.count > MOST or inner.name.startswith((".", "._")):
+        if self.count == MOST + 1:
+            self.notes.append(f"It has more than {MOST} files; the others were not looked at.")
+        if self.count > MOST or depth and self.unpacked > LARGEST_ARCHIVE or (
+                inner.name.startswith((".", "._"))):
             return
-        inner = PurePosixPath(printable(str(inner)))
-        if depth and OPENED.search(inner.name):
-            self.unpacked += size
-        if OPENED.search(inner.name) and depth < DEEPEST and (
-                max(size, self.unpacked) <= LARGEST_ARCHIVE):
+        inner, is_archive = PurePosixPath(printable(str(inner))), OPENED.search(inner.name)
+        self.unpacked += size if depth and (is_archive or SOURCE.search(inner.name)) else 0
+        if depth and self.unpacked > LARGEST_ARCHIVE:
+            self.notes.append(f"{inner} was not read, nor what follows it: more than "
+                              f"{LARGEST_ARCHIVE} bytes would be unpacked.")
+        elif is_archive and depth < DEEPEST and size <= LARGEST_ARCHIVE:
             self.open(inner, read(), depth)
-        elif OPENED.search(inner.name) or CLOSED.search(inner.name):
+        elif is_archive or CLOSED.search(inner.name):
             self.notes.append(f"{inner} cannot be opened here; ask for a zip.")
         elif SOURCE.search(inner.name) and size > LARGEST:
             self.notes.append(f"{inner} is larger than {LARGEST} bytes and was not read.")
@@ -182,7 +187,7 @@ def exact(one):
 
 def text_of(data):
     """A text as an editor may have saved it."""
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")) or data[1:2] == b"\0":
         return data.decode("utf-16", errors="replace").replace("\r\n", "\n")
     return data.removeprefix(b"\xef\xbb\xbf").decode("utf-8", errors="surrogateescape").replace(
         "\r\n", "\n")
@@ -204,8 +209,8 @@ def places_in(place):
     if place.is_file() or is_one(place):
         return [place], False
     inner = [entry for entry in sorted(place.iterdir()) if not HIDDEN.match(entry.name) and (
-        entry.is_dir() or OPENED.search(entry.name) or CLOSED.search(entry.name)
-        or SOURCE.search(entry.name) and Bag(entry).found)]
+        entry.is_dir() or entry.is_file() and (OPENED.search(entry.name) or CLOSED.search(
+            entry.name) or SOURCE.search(entry.name) and Bag(entry).found))]
     return inner, True
 
 

@@ -22,13 +22,14 @@ function view_of(scene, width, height, {yaw, pitch, zoom}, target = null) {
   view.light = plus(plus([0, 0.85, 0], 0.45, view.back), -0.3, view.right);
   const shape = width / height;
   if (!target && scene.shape !== shape) {
-    const from = view_of(scene, width, height, {yaw: scene.yaw, pitch: first_pitch, zoom: 1},
-                         {centre: scene.centre, across: 1, upward: 1});
-    const [near, far] = [scene.early, scene.points].map(points => fit(from, points));
-    const grows = far.distance > 1.5 * near.distance;
-    Object.assign(scene, {shape, homes: [grows ? near : far, far]});
+    const from = look_from(scene.yaw, scene.centre, width, height);
+    const [first, soon, whole] = [scene.first, scene.soon, scene.points].map(
+      points => fit(from, points));
+    const same = (one, other) => Math.abs(Math.log(one.distance / other.distance)) < 0.15;
+    const second = same(soon, whole) ? whole : soon;
+    Object.assign(scene, {shape, homes: [same(first, second) ? second : first, second, whole]});
   }
-  const home = target ? null : between(...scene.homes, clamp((scene.now - 0.8) / 2.2, 0, 1));
+  const home = target ? null : home_at(scene.homes, scene.now);
   view.distance = (!target ? home.distance : view.focal * Math.max(
     target.across / (0.45 * width), target.upward / (0.4 * height))) / zoom;
   view.near = 0.02 * view.distance;
@@ -37,7 +38,12 @@ function view_of(scene, width, height, {yaw, pitch, zoom}, target = null) {
   view.eye = plus(view.centre, view.distance, view.back);
   return view;
 }
-// Where a scene goes far the camera begins with its first second and moves back as it grows.
+const look_from = (yaw, centre, width, height) => view_of(null, width, height,
+  {yaw, pitch: first_pitch, zoom: 1}, {centre, across: 1, upward: 1});
+// The camera is close: from what a scene begins with it moves to what is seen after a second, and
+// then to all of it, where these are of another size.
+const home_at = ([first, second, whole], t) => t < 1 ? between(first, second, clamp(t, 0, 1))
+  : between(second, whole, clamp((t - 1) / 2, 0, 1));
 const between = (near, far, s) => ({
   centre: plus(near.centre, s * s * (3 - 2 * s), sub(far.centre, near.centre)),
   distance: near.distance + s * s * (3 - 2 * s) * (far.distance - near.distance)});
@@ -48,8 +54,8 @@ function fit(view, points) {
   for (let round = 0; round < 4; ++round) {
     const away = points.map(p => sub(p, centre));
     distance = away.reduce((far, d) => Math.max(far, dot(d, view.back) + view.focal * Math.max(
-      Math.abs(dot(d, view.right)) / (0.48 * view.width),
-      Math.abs(dot(d, view.up)) / (0.46 * view.height))), 0.01);
+      Math.abs(dot(d, view.right)) / (0.49 * view.width),
+      Math.abs(dot(d, view.up)) / (0.495 * view.height))), 0.01);
     if (round === 3) break;
     for (const axis of [view.right, view.up]) {
       const seen = away.map(d => dot(d, axis) / (distance - dot(d, view.back)));

@@ -97,8 +97,6 @@ function measure(scene) {
   grow(solid(live[0], 0).concat(under(live[0], solid(live[0], 0))));
   const start = size(sub(scene.high, scene.low));
   scene.now = Infinity;  // a page that knows the time says it
-  scene.early = live[0].frames.flatMap(
-    (_, k) => k * live[0].dt > 1.2 ? [] : solid(live[0], k * live[0].dt));
   live.forEach((run, i) => {
     const stride = Math.ceil(run.frames.length * run.bodies.length / 4000), found = [];
     const far = fastest(run) < 200 ? Infinity : 15;
@@ -109,11 +107,57 @@ function measure(scene) {
   });
   const [wide, , deep] = sub(scene.high, scene.low);
   scene.reach = 0.75 * Math.hypot(wide, deep);
-  const aside = innerHeight > 1.3 * innerWidth ? 0.85 : 0.42;  // a telephone sees it from its end
-  scene.yaw = aside - (wide >= deep ? 0 : Math.PI / 2);  // the long side lies across the picture
+  const whole = size(sub(scene.high, scene.low)), {centre} = scene;
+  const during = (from, to) => {  // where things are then, as far as that is in the picture
+    const found = live[0].frames.flatMap((_, k) => {
+      const t = k * live[0].dt;
+      return t < from || t > to ? [] : solid(live[0], t);
+    }).filter(p => size(sub(p, centre)) < 0.75 * whole);
+    return found.length ? found : scene.points;
+  };
+  const across = wide >= deep ? 0 : Math.PI / 2;  // the long side lies across the picture
+  const tall = innerHeight > 1.3 * innerWidth, picture = tall ? [360, 540] : [1250, 490];
+  const shown = bodies_at(live[0], 1).filter(body => body.up < 0);
+  const [yaw, cover] = [0.42, 0.85, -0.42, -0.85].map(
+    aside => [aside - across, covered(shown, look_from(aside - across, centre, ...picture),
+                                      during(0.85, 1.15))]).reduce(
+    (best, one) => one[1] > 1.15 * best[1] ? one : best);
+  scene.yaw = yaw;
+  scene.thick = Math.max(...live.map(run => thicken(run, Math.sqrt(0.16 / cover))));
+  scene.first = during(0, 0.5);
+  scene.soon = during(0.85, 1.15);
   find_travellers(scene, live[0], start);
   scene.end = Math.max(...live.map(end));
   scene.step = scene.runs.at(-1).dt;
+}
+
+// Draws thin bodies up to so many times as large as they are, so that they can be seen, but none
+// into those that it is joined to, and none where there is a ground. Returns the largest factor.
+function thicken(run, most) {
+  const bodies = bodies_at(run, 0), pairs = [], wide = run.bodies.map(() => 1e9);
+  if (grounds(bodies).length) return 1;
+  run.lines.forEach(([one, , two], k) => {
+    if (one !== two) pairs.push([one, two]);
+    else if (run.lines[k + 1] && k % 2 === 0) pairs.push([one, run.lines[k + 1][0]]);
+  });
+  for (const pair of pairs) {
+    const [p, q] = pair.map(k => bodies[k]), d = sub(q.x, p.x), room = 0.98 * size(d);
+    const reach = [p, q].reduce((sum, body) => sum + (body.ball ? body.half[0] : Math.min(
+      ...body.axes.map((n, k) => body.half[k] * size(d) / (Math.abs(dot(n, d)) || 1e-9)))), 0);
+    for (const k of pair) wide[k] = Math.min(wide[k], room / reach);
+  }
+  const factors = wide.map(one => one < 1e9 ? clamp(most, 1, Math.max(1, one)) : 1);
+  run.bodies.forEach((body, k) => { body.half = times(factors[k], body.half); });
+  return Math.max(...factors);
+}
+
+// The part of a picture that bodies cover from there, if none hides another.
+function covered(bodies, view, points) {
+  const {distance} = fit(view, points), area = body => body.ball ? Math.PI * body.half[0] ** 2
+    : body.axes.reduce((sum, n, k) => sum + 4 * Math.abs(dot(n, view.back)) *
+        body.half[(k + 1) % 3] * body.half[(k + 2) % 3], 0);
+  return bodies.reduce((sum, body) => sum + area(body), 0) * (view.focal / distance) ** 2
+    / view.width / view.height;
 }
 
 // The places below these points on the ground of a run; none where it has no ground.

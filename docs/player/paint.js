@@ -115,8 +115,9 @@ function trace_part(pen, thing, points = thing.ends) {
   else trace(pen, points);
 }
 
-// Bottom left the directions of x, y, z; bottom right a bar of known length at the centre's depth.
-function paint_scale(pen, view) {
+// Bottom left the directions of x, y, z; bottom right a bar of known length at the centre's depth,
+// and whether bodies are drawn larger than they are.
+function paint_scale(pen, view, thick) {
   pen.strokeStyle = pen.fillStyle = style("--quiet");
   pen.lineWidth = 1.5;
   pen.font = "12px system-ui, sans-serif";
@@ -137,6 +138,9 @@ function paint_scale(pen, view) {
     py === -4 ? pen.moveTo(px, base + py) : pen.lineTo(px, base + py);
   pen.stroke();
   pen.fillText(`${length} m`, (left + right) / 2, base - 13);
+  pen.textAlign = "right";
+  if (thick > 1.05)
+    pen.fillText(`bodies drawn up to ${thick.toPrecision(2)} times as large`, right, base + 13);
 }
 
 // The names of those bodies that have one, above them.
@@ -170,7 +174,7 @@ function draw({canvas, run, note}, scene, time) {
   } else paint_flat(pen, view, scene, things, colour_of, grounds(bodies)[0]);
   if (bodies.length) paint_way(pen, view, run, scene, time);
   paint_labels(pen, view, things);
-  paint_scale(pen, view);
+  paint_scale(pen, view, scene.thick);
   const moving = thing => !thing.still && !thing.line, says = lit ? [] : [FLAT];
   if (run.stopped !== undefined)
     says.push(`stopped: not a number from t = ${run.stopped.toFixed(2)} s`);

@@ -298,7 +298,8 @@ def bench(args, options):
 @command("compare FILE", "every method on a scene of yours: error, time, and which one to take",
          argument("file", metavar="FILE", help="C++ with one function: World make_world() {...}"),
          argument("options", nargs=argparse.REMAINDER,
-                  help="those above; --budget is the most time of a step [us]"),
+                  help="those above; --budget is the most time of a step [us], --depth how "
+                       "far limits and contacts may be passed [m]"),
          lines=[("  --seconds 5 --hz 60", "of the scene; --gap 0.001 [m] is what you want of it")],
          usage="./wb compare FILE [--seconds S] [--hz N] [--gap M] [--csv OUT]")
 def compare(args):

@@ -1,8 +1,10 @@
-"""./wb compare FILE: every method on a scene of the reader's own, and which one to take."""
+"""./wb compare FILE: every method on a scene of the reader's own, and which one to take; a table
+and a figure of error against run time."""
 import json
 import subprocess
 
 from base import house
+from pictures import figures
 
 SCENE = """// Written by ./wb compare.
 #include <joints.h>
@@ -29,5 +31,23 @@ def main(file, options):
         scene.write_text(text, encoding="utf-8")
     house.must_build(["compare_scene"])
     house.progress_done()
-    return subprocess.run([house.BUILD / "comparison" / "compare_scene", *options],
-                          cwd=house.CALLED_FROM).returncode
+    return run([house.BUILD / "comparison" / "compare_scene", *options], path.stem)
+
+
+def run(command, name):
+    """Runs it, keeps its table and draws the figure beside it; one that fails leaves nothing."""
+    given = command.index("--csv") + 1 if "--csv" in command[:-1] else 0
+    table = house.CALLED_FROM / command[given] if given else house.OUT / "compare" / f"{name}.csv"
+    made = table.with_name(table.name + ".new")
+    if given:
+        command[given] = made
+    else:
+        made.parent.mkdir(parents=True, exist_ok=True)
+        command += ["--csv", made]
+    code = subprocess.run(command, cwd=house.CALLED_FROM).returncode
+    if code == 0:
+        made.replace(table)
+        figures.draw("comparison.py", "--csv", table, figures=table.with_suffix(".svg"))
+        print(f"\n{house.short(table)}\n{house.short(table.with_suffix('.svg'))}")
+    made.unlink(missing_ok=True)
+    return code

@@ -29,6 +29,7 @@ def tour():
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     page = report.write(chapters, used.ru_utime + used.ru_stime,
                         time.monotonic() - began)
+    print("", *report.six_lines(), sep="\n")
     print(f"\nAll of it on one page: {house.short(page)}\n"
           "Your turn: ./wb leads you to the first exercise.")
     return 0

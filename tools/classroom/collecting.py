@@ -105,8 +105,9 @@ class Bag:
             self.notes.append(f"{inner} cannot be opened here; ask for a zip.")
         elif SOURCE.search(inner.name) and size > LARGEST:
             self.notes.append(f"{inner} is larger than {LARGEST} bytes and was not read.")
-        elif SOURCE.search(inner.name) and self.is_exercise(
-                one := File(str(inner), text_of(read()), named(inner.name))):
+        elif SOURCE.search(inner.name) and (
+                one := File(str(inner), text_of(read()), named(inner.name))) and (
+                one.named or one.number()):
             self.found.append(one)
         else:
             self.others.append(str(inner))
@@ -134,10 +135,6 @@ class Bag:
         except (zipfile.BadZipFile, tarfile.TarError, RuntimeError, EOFError, OSError,
                 NotImplementedError, lzma.LZMAError, zlib.error, MemoryError) as error:
             self.notes.append(f"{inner} cannot be opened: {error}.")
-
-    @staticmethod
-    def is_exercise(one):
-        return bool(one.named or one.number())
 
     def submission(self, name):
         """The file of each chapter: the one that is best named and lies least deep."""

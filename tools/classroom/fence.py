@@ -5,6 +5,7 @@ bubblewrap gives it a file system of its own, without anything else in it, and e
 started. Where there is libseccomp for Python, too, a program that asks the system for something
 that no exercise needs is ended at once.
 """
+import contextlib
 import functools
 import os
 import shutil
@@ -52,9 +53,10 @@ class Fence:
         said = ["bwrap", "--unshare-all", "--unshare-user", "--disable-userns", "--uid", "65534",
                 "--gid", "65534", "--cap-drop", "ALL", "--die-with-parent", "--new-session",
                 "--clearenv"]
-        for name, value in self.environment().items():
+        for name, value in {**ENVIRONMENT, "HOME": self.folder, "TMPDIR": self.folder}.items():
             said += ["--setenv", name, value]
-        for path in self.all_reads():
+        own = LIBRARIES + ([] if self.quiet else COMPILER)
+        for path in [path for path in own if os.path.exists(path)] + self.reads:
             said += ["--symlink", os.readlink(path), path] if os.path.islink(path) else \
                 ["--ro-bind", path, path]
         for path in self.writes:
@@ -65,13 +67,6 @@ class Fence:
         if self.quiet and seccomp:
             return ["sh", "-c", 'exec "$@" 9<"$0"', rules_file(), *said, "--seccomp", "9", *words]
         return [*said, *words]
-
-    def environment(self):
-        return ENVIRONMENT | {"HOME": self.folder, "TMPDIR": self.folder}
-
-    def all_reads(self):
-        own = LIBRARIES + ([] if self.quiet else COMPILER)
-        return [path for path in own if os.path.exists(path)] + self.reads
 
 
 @functools.cache
@@ -98,21 +93,15 @@ def warning():
 
 # ---- libseccomp ----------------------------------------------------------------------------------
 
-def rules():
-    """A process that makes a system call that is never needed is ended with SIGSYS."""
-    found = seccomp.SyscallFilter(seccomp.ALLOW)
-    for name in NEVER:
-        try:
-            found.add_rule(seccomp.KILL_PROCESS, name)
-        except (RuntimeError, ValueError, OSError):
-            pass  # this processor has no such call, or the library is older than it
-    return found
-
-
 @functools.cache
 def rules_file():
-    """The rules in the form that bubblewrap reads, beside the graded file."""
+    """A file in the form that bubblewrap reads, beside the graded one: a process that makes a
+    system call that is never needed is ended with SIGSYS."""
+    found = seccomp.SyscallFilter(seccomp.ALLOW)
+    for name in NEVER:  # this processor may not have it, or the library be older than it
+        with contextlib.suppress(RuntimeError, ValueError, OSError):
+            found.add_rule(seccomp.KILL_PROCESS, name)
     path = os.path.join(os.environ.get("TMPDIR", "/tmp"), f"seccomp_{os.getpid()}")
     with open(path, "wb") as file:
-        rules().export_bpf(file)
+        found.export_bpf(file)
     return path

@@ -248,7 +248,7 @@ class Judge:
         that it needs and that is not right either; then it is to blame for itself."""
         self.settled |= {one.id: one for one in grades if one.status == grading.DONE}
         right = {id_ for id_, one in self.settled.items() if one.status == grading.DONE}
-        innocent = {}
+        missing, innocent = set(self.chapter.ids()) - set(self.look.written()) | self.left_out, {}
         for one in grades:
             if one.id in right:
                 continue
@@ -257,7 +257,7 @@ class Judge:
             if one.status == grading.DONE:
                 innocent[one.id] = one
             elif one.status == grading.WAITS:
-                words = NEEDS_NONE if one.detail in self.missing() else NEVER_WAITS
+                words = NEEDS_NONE if one.detail in missing else NEVER_WAITS
                 one = replace(one, status=grading.WRONG,
                               failures=[("", words.format(one.detail))])
             self.settled[one.id] = one
@@ -266,10 +266,6 @@ class Judge:
             guilty = sorted(set(self.plan.uses[id_]) - right - set(innocent))
             self.settled[id_] = replace(one, status=grading.WAITS, detail=", ".join(guilty)) \
                 if guilty else one
-
-    def missing(self):
-        """What is not written, or not compiled."""
-        return set(self.chapter.ids()) - set(self.look.written()) | self.left_out
 
 
 def added(given, mine):

@@ -4,13 +4,6 @@ import re
 # Comments; then texts, so that what stands in them is left out.
 COMMENT = re.compile(r'//[^\n]*|/\*.*?\*/|("(?:\\.|[^"\\\n])*")', re.S)
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:<([^>\n]+)>|"([^"\n]+)"|(\S+))', re.M)
-HEADERS = set("""algorithm any array assert.h bit bits/stdc++.h cassert ccomplex cfloat cinttypes
-climits cmath compare complex concepts cstddef cstdint cstdio cstdlib cstring deque exception
-execution float.h format forward_list functional initializer_list iomanip ios iosfwd iostream
-istream iterator limits limits.h list map math.h memory memory_resource new numbers numeric optional
-ostream queue random ranges ratio set span sstream stack stdexcept stdint.h stdio.h stdlib.h string
-string.h string_view tuple type_traits typeinfo unordered_map unordered_set utility valarray variant
-vector version""".split())
 
 
 def without_comments(text):
@@ -29,18 +22,11 @@ def refused(text):
 
 
 def notes(text):
-    """A sentence on the includes that no exercise needs, with their lines."""
-    code, found = without_comments(text), {}
-    for match in INCLUDE.finditer(code):
-        name = match[1] or match[2] or match[3]
-        if name not in HEADERS and not re.match(
-                r"(engine|chapters|joints|contacts)/[\w/]+\.h$", name):
-            found.setdefault(name, []).append(line_of(text, match))
-    if not found:
-        return []
-    said = "; ".join(f"{name} (line {', '.join(map(str, dict.fromkeys(lines)))})"
-                     for name, lines in found.items())
-    return [f"It includes what no exercise needs: {said}."]
+    """A sentence on includes of a student's own headers, with their lines."""
+    left = dict.fromkeys(f"{match[2] or match[3]} (line {line_of(text, match)})"
+                         for match in INCLUDE.finditer(without_comments(text)) if not match[1]
+                         and not re.match(r"(engine|chapters)/[\w/]+\.h$", match[2] or ""))
+    return [f"It includes what no exercise needs: {', '.join(left)}."] if left else []
 
 
 def line_of(text, match):

@@ -2,7 +2,9 @@
 // there. Exit status 1, with a line, for the first that does not.
 #include <cmath>
 #include <cstdio>
+#include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <vector>
 
 #include <joints.h>
@@ -107,6 +109,40 @@ void limits_are_seen() {
   expect(reached && hinge.position(world.bodies) < real(0.11), "a limit that was reached is seen");
 }
 
+void off_and_on_again() {
+  Pendulum one;
+  const std::uint64_t number = one.world[one.pin].number();
+  std::map<std::uint64_t, const char*> own{{number, "pin"}};
+  one.world.remove(one.pin);
+  step(one.world, one.solver, h);
+  const real fallen = one.world.bodies[one.bob].x.y;
+  one.pin = one.world.add<BallJoint>(one.frame, one.bob, Point{vec3(0), vec3(0, -fallen, 0)});
+  for (int n = 0; n < 10; ++n) step(one.world, one.solver, h);
+  expect(fallen < -1 && std::abs(one.world.bodies[one.bob].x.y - fallen) < real(1e-5),
+         "a joint that is added again holds");
+  expect(own.contains(number) && !own.contains(one.world[one.pin].number()),
+         "data of one's own belong to one joint");
+}
+
+// A dumb-bell: two balls of 1 kg, a metre from their centre, on a rod along (0, 1, 1) / sqrt(2).
+// About the rod it has the inertia of the balls alone.
+void several_parts() {
+  const real own = ball(1, real(0.2), vec3(0)).inverse_inertia_local.x, about = 2 / own;
+  World world;
+  world.gravity = vec3(0);
+  const quat along = angleAxis(std::acos(real(-1)) / 4, vec3(1, 0, 0));  // y becomes the rod
+  const BodyId id = world.add(body_with(2, vec3(about + 2, about, about + 2), vec3(0), along));
+  Body& body = world.bodies[id];
+  SequentialImpulses solver;
+  body.torque = vec3(1, 0, 0);
+  step(world, solver, h);
+  expect(std::abs(body.w.x - h / (about + 2)) < real(1e-5), "the inertia across the rod");
+  body.w = vec3(0);
+  body.torque = along * vec3(0, 1, 0);
+  step(world, solver, h);
+  expect(std::abs(length(body.w) - h / about) < real(1e-3), "the inertia about the rod");
+}
+
 }  // namespace
 
 int main() {
@@ -116,4 +152,6 @@ int main() {
   damped();
   copied_and_between();
   limits_are_seen();
+  off_and_on_again();
+  several_parts();
 }

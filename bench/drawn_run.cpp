@@ -25,12 +25,15 @@ void look(World& world, Blocks& blocks, Outcome& out) {
   }
 }
 
-// Velocities at a pose, from those half a step before and half a step behind.
+// The energy at a pose, from the momentum half a step before and half a step behind: between kicks
+// the momentum of a body stays, its angular velocity does not.
 double energy_at(std::vector<Body> before, const Bodies& after, double share, const vec3& gravity) {
   for (std::size_t k = 0; k < before.size(); ++k) {
     const Body& then = after.at(int(k));
     before[k].v += real(share) * (then.v - before[k].v);
-    before[k].w += real(share) * (then.w - before[k].w);
+    if (before[k].is_static()) continue;
+    const vec3 L = angular_momentum(before[k]), later = angular_momentum(then);
+    set_angular_momentum(before[k], L + real(share) * (later - L));
   }
   return energy(before, gravity);
 }

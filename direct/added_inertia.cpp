@@ -60,8 +60,9 @@ void AddedInertia::find(real acted, const Bodies& bodies, const Blocks& blocks,
     const int k = order[n];
     const Block& block = blocks.list[k];
     const Island& island = islands.list[islands.at(k).island];
-    const int loop = island.left ? -1 : island.system.blocks[islands.at(k).block].loop;
-    if (island.left || (loop >= 0 && island.plan->list[loop].motions(island.dependent[loop]) <= 1))
+    if (island.left || is_lone(island)) continue;
+    const int loop = island.system.blocks[islands.at(k).block].loop;
+    if ((loop >= 0 && island.plan->list[loop].motions(island.dependent[loop]) <= 1))
       continue;
     for (int i = 0; i < block.rows; ++i) {
       const Row& J = blocks.J[block.first + i];
@@ -137,6 +138,12 @@ bool AddedInertia::is_free(const Island& island) {
   const std::vector<bool>& moves = island.system.moves;
   return !island.left && !island.alternates &&
          std::find(moves.begin(), moves.end(), false) == moves.end();
+}
+
+bool AddedInertia::is_lone(const Island& island) {
+  const std::vector<bool>& moves = island.system.moves;
+  const auto one = std::find(moves.begin(), moves.end(), true);
+  return std::find(one == moves.end() ? one : one + 1, moves.end(), true) == moves.end();
 }
 
 void AddedInertia::keep_momentum(const Island& island, const std::vector<Body>& before,

@@ -9,7 +9,8 @@
 namespace joints {
 
 /// The inertia that is added to bodies for one step, so that it can follow their zigzag (Eq. 9-13).
-/// Forces of joints in closed loops with at most one degree of freedom add none.
+/// Forces of joints in closed loops with at most one degree of freedom add none, nor do those of an
+/// island with one moving body: a small top would lose its energy.
 class AddedInertia {
  public:
   /// Begins a step without added inertia. \param kappa of Eq. 9-14; 0: none will be added
@@ -43,6 +44,7 @@ class AddedInertia {
 
   /// True if nothing holds an island.
   static bool is_free(const Island& island);
+  static bool is_lone(const Island& island);  ///< at most one of its bodies moves
   /// Gives an island that nothing holds the angular momentum that it had before the impulses, by a
   /// rotation of the whole: no joint in it opens. The others are left as they are.
   /// \param before the bodies, with the poses and velocities of that time

@@ -19,6 +19,8 @@ static constexpr int most_passes = 200;
 static constexpr double wide_open = 0.1;
 // A change of an island's kinetic energy by more than this fraction, to close its joints, is told.
 static constexpr double much_changed = 0.1;
+// A rotation of a body by more than this in a step is told [rad].
+static constexpr double far_turned = 2.5;
 
 DirectSolver DirectSolver::velocities_only() {
   DirectSolver solver;
@@ -42,6 +44,11 @@ void DirectSolver::check() const {
 
 std::vector<std::string> DirectSolver::Report::sentences() const {
   std::vector<std::string> out;
+  const auto tell = [&out](const char* begin, double value, const char* end) {
+    std::ostringstream words;
+    words << begin << value << end;
+    out.push_back(words.str());
+  };
   if (corrections > 0 && !moved_exactly && !iterated)
     out.push_back("Joints are open at the new poses: their rows contradict each other, or a body "
                   "turns too far in a step. Take a shorter step.");
@@ -57,12 +64,13 @@ std::vector<std::string> DirectSolver::Report::sentences() const {
   if (wrong > 0)
     out.push_back("A limit, motor or contact is on the wrong side of its bounds. Take a shorter "
                   "step.");
-  if (opened > wide_open) {
-    std::ostringstream words;
-    words << "A joint was open by " << opened << " (m or rad) when the step began, and was closed "
-          << "within it. Place bodies where their joints are closed, or lead them with move_to.";
-    out.push_back(words.str());
-  }
+  if (turned > far_turned)
+    tell("A body turned by ", turned,
+         " rad in the step: its joints hold, but its energy may change. Take a shorter step.");
+  if (opened > wide_open)
+    tell("A joint was open by ", opened,
+         " (m or rad) when the step began, and was closed within it. Place bodies where their "
+         "joints are closed, or lead them with move_to.");
   return out;
 }
 
@@ -314,8 +322,15 @@ void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
   } else if (newton == 0) {
     integrate_poses(bodies, h);
   }
-  if (!before_.empty())
-    for (const Island& island : islands_.list) inertia_.keep_momentum(island, before_, bodies);
+  double fastest = 0;  // squared [rad^2/s^2]
+  for (const Island& island : islands_.list) {
+    if (!before_.empty()) inertia_.keep_momentum(island, before_, bodies);
+    island.for_moving([&](int slot) {
+      const vec3& w = bodies.at(slot).w;
+      fastest = std::max(fastest, double(dot(w, w)));
+    });
+  }
+  report_.turned = std::sqrt(fastest) * double(h);
 }
 
 // ---- for the stages of a Runge-Kutta method -----------------------------------------------------

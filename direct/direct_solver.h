@@ -54,6 +54,7 @@ class DirectSolver : public Solver {
     double multiplications = 0;  ///< of the factorisations of all islands, approximately
     int fill = 0;                ///< entries that elimination filled in
     bool iterated = false;       ///< `fallback` was used for an island
+    double turned = 0;           ///< the largest rotation of a body with joints in the step [rad]
 
     /// What the step could not hold, and what to do about it, a sentence each; none if it could.
     std::vector<std::string> sentences() const;

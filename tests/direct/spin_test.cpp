@@ -32,8 +32,8 @@ Changes after(World&& world, int steps, real h, DirectSolver solver, const StepO
 
 // Draws of a family, and how many of them keep what a predicate asks.
 struct Count {
-  int held = 0, all = 0;
-  double energy = 0, momentum = 0, gap = 0;  // at most
+  int held = 0, all = 0, told = 0, silent = 0;  // silent: neither held nor told
+  double energy = 0, momentum = 0, gap = 0;     // at most
 };
 template <class Keeps>
 Count count(const char* name, int hertz, const DirectSolver& settings, const Keeps& keeps) {
@@ -41,9 +41,14 @@ Count count(const char* name, int hertz, const DirectSolver& settings, const Kee
   for (const bench::Family& family : bench::motion_families())
     for (unsigned seed = 501; family.name == name && seed <= 540; ++seed) {
       DirectSolver solver = settings;
-      const auto one_step = [&](World& world, real h) { step(world, solver, h, second_order); };
+      bool told = false;
+      const auto one_step = [&](World& world, real h) {
+        step(world, solver, h, second_order);
+        told |= !solver.report().sentences().empty();
+      };
       const bench::Outcome now = run_drawn(family.draw(seed), one_step, true, 1.0 / hertz);
-      ++out.all, out.held += now.finite && keeps(now);
+      const bool held = now.finite && keeps(now);
+      ++out.all, out.held += held, out.told += told, out.silent += !held && !told;
       out.energy = std::max({out.energy, now.gain, std::abs(now.loss)});
       out.momentum = std::max(out.momentum, now.momentum);
       out.gap = std::max(out.gap, now.gap);
@@ -89,6 +94,19 @@ TEST_CASE("drawn rotors in free flight keep energy and momentum up to 2.5 rad a 
                  << " held, energy changed by " << now.energy << ", momentum by " << now.momentum);
       CHECK(now.all == 40);
       CHECK(now.held >= (is_float ? now.all * 4 / 5 : now.all));
+    }
+}
+
+TEST_CASE("rotors and tops beyond 2.5 rad a step gain no energy, or the step says so") {
+  for (const char* name : {"rotors", "tops"})
+    for (const int hertz : {30, 20, 12, 6}) {
+      const Count now = count(name, hertz, with(8, 8), [](const bench::Outcome& out) {
+        return out.gain < 0.01 && out.gap < tolerance(1e-3, 1e-2);
+      });
+      INFO(name << " at " << hertz << " Hz: " << now.held << " of " << now.all << " held, "
+                << now.told << " told, " << now.silent << " neither, energy changed by "
+                << now.energy << ", momentum by " << now.momentum << ", gap " << now.gap);
+      CHECK(now.silent == 0);
     }
 }
 

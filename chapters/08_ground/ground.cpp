@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chapters/01_distance/rods.h"
+
 namespace joints {
 
 // ---- a row that only pushes -----------------------------------------------------------------
@@ -42,12 +44,42 @@ real friction_impulse(real rate, real K, real mu, real normal, real& sum) {
   // end [exercise 8.2]
 }
 
-// ---- given ----------------------------------------------------------------------------------
+// ---- all corners of a body ------------------------------------------------------------------
+
+std::vector<int> live_corners(const std::vector<real>& C, const std::vector<real>& rate, real h,
+                              real margin) {
+  // begin [exercise 8.3]
+  // Return the indices of all corners for which Eq. 8-4 holds. If these are more than four, return
+  // the four that will have the smallest gap at the end of the step.
+  todo("8.3");
+  // end [exercise 8.3]
+}
+
+void solve_contact(std::vector<ContactRows>& corners, real mu, Body& body1, Body& body2) {
+  // begin [exercise 8.3]
+  // One iteration: for each corner solve t1, t2 and n, each with the velocities that the solve
+  // before has left. You have written friction_impulse, clamp_sum (1.5) and apply_impulse (1.3).
+  todo("8.3");
+  // end [exercise 8.3]
+}
+
+// ---- rebound --------------------------------------------------------------------------------
 
 real impact_speed(real C, real rate, real kick, real h) {
-  // Leapfrog: velocities belong to times halfway between positions, so half of the kick is removed.
-  const real now = rate - kick / 2;
-  return std::sqrt(std::max(real(0), now * now - 2 * kick / h * C));  // Eq. 8-9
+  // begin [exercise 8.4]
+  // Return the speed at the ground. A true fall over the gap C begins with half a kick less than
+  // `rate` and has the acceleration kick / h. Where the square of the speed is negative, return 0.
+  todo("8.4");
+  // end [exercise 8.4]
+}
+
+void rebound(std::vector<ContactRows>& corners, const std::vector<Bounce>& bounces, int iterations,
+             Body& body1, Body& body2) {
+  // begin [exercise 8.4]
+  // The corners have been stopped. Solve their normal rows once more: each only pushes, and one
+  // with a bounce gets its speed, but its sum stays below 1 + ratio times that which stopped it.
+  todo("8.4");
+  // end [exercise 8.4]
 }
 
 }  // namespace joints

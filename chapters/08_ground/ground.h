@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "chapters/03_hinge/hinge.h"
 
@@ -62,11 +63,41 @@ std::array<vec3, 2> tangents(const vec3& n, const vec3& sliding);
 /// \param sum the accumulated impulse of this row in this step [N s], updated here
 /// \return the change of the accumulated impulse [N s]
 real friction_impulse(real rate, real K, real mu, real normal, real& sum);
+
+/// The three rows of a corner, in the order in which they are solved: t1, t2, n.
+struct ContactRows {
+  std::array<Row, 3> J{};     ///< the rows
+  std::array<real, 3> K{};    ///< of each [1/kg], positive
+  real bias = 0;              ///< b of the normal row [m/s]
+  std::array<real, 3> sum{};  ///< accumulated impulses [N s]
+};
+
+/// Exercise 8.3: the corners that get rows in this step, at most four, Eq. 8-4.
+/// \param C gap of each corner of a body [m] \param rate its v_n [m/s] \param h step [s]
+/// \param margin of Eq. 8-4, 0.1 m/s \return indices into `C`, in any order
+std::vector<int> live_corners(const std::vector<real>& C, const std::vector<real>& rate, real h,
+                              real margin);
+
+/// Exercise 8.3: one iteration over all corners. Changes the sums and the bodies' velocities.
+/// \param mu coefficient of friction [1]
+void solve_contact(std::vector<ContactRows>& corners, real mu, Body& body1, Body& body2);
+
+/// What a corner does after an impact.
+struct Bounce {
+  real speed = 0;  ///< the J V that the rebound requires [m/s]; 0: the corner does not rebound
+  real ratio = 0;  ///< greatest impulse of the rebound over the one that stopped the corner [1]
+};
+
+/// Exercise 8.4: the second solve after the move. Friction is left out.
+/// \param corners their sums are those that stopped them \param bounces one for each corner
+void rebound(std::vector<ContactRows>& corners, const std::vector<Bounce>& bounces, int iterations,
+             Body& body1, Body& body2);
 #endif
 
-/// Given: the speed of a corner when it reaches the ground at the constant acceleration kick / h,
-/// Eq. 8-9. \param C gap [m] \param rate J V with the forces of this step [m/s], negative
-/// \param kick the part of it that they added [m/s] \param h step [s] \return positive [m/s]
+/// Exercise 8.4: the speed of a corner when it reaches the ground at the constant acceleration
+/// kick / h. \param C gap [m] \param rate J V with the forces of this step [m/s], negative
+/// \param kick the part of it that they added [m/s] \param h step [s]
+/// \return positive [m/s]; 0 where no such speed exists
 real impact_speed(real C, real rate, real kick, real h);
 
 }  // namespace joints

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chapters/01_distance/rods.h"
+
 namespace joints {
 
 // ---- a row that only pushes -----------------------------------------------------------------
@@ -52,12 +54,74 @@ real friction_impulse(real rate, real K, real mu, real normal, real& sum) {
   // end [exercise 8.2]
 }
 
-// ---- given ----------------------------------------------------------------------------------
+// ---- all corners of a body ------------------------------------------------------------------
+
+std::vector<int> live_corners(const std::vector<real>& C, const std::vector<real>& rate, real h,
+                              real margin) {
+  // begin [exercise 8.3]
+  // Return the indices of all corners for which Eq. 8-4 holds. If these are more than four, return
+  // the four that will have the smallest gap at the end of the step.
+  std::vector<int> live;
+  std::vector<real> later;
+  for (std::size_t k = 0; k < C.size(); ++k) {
+    later.push_back(C[k] + h * rate[k]);
+    if (later[k] < margin * h) live.push_back(int(k));  // Eq. 8-4
+  }
+  while (live.size() > 4) {
+    std::size_t highest = 0;
+    for (std::size_t j = 1; j < live.size(); ++j)
+      if (later[std::size_t(live[j])] > later[std::size_t(live[highest])]) highest = j;
+    live.erase(live.begin() + int(highest));
+  }
+  return live;
+  // end [exercise 8.3]
+}
+
+void solve_contact(std::vector<ContactRows>& corners, real mu, Body& body1, Body& body2) {
+  // begin [exercise 8.3]
+  // One iteration: for each corner solve t1, t2 and n, each with the velocities that the solve
+  // before has left. You have written friction_impulse, clamp_sum (1.5) and apply_impulse (1.3).
+  for (ContactRows& corner : corners) {
+    for (int i = 0; i < 2; ++i) {
+      const real rate = row_velocity(corner.J[i], body1, body2);
+      const real change = friction_impulse(rate, corner.K[i], mu, corner.sum[2], corner.sum[i]);
+      apply_impulse(corner.J[i], change, body1, body2);
+    }
+    const real error = row_velocity(corner.J[2], body1, body2) + corner.bias;
+    apply_impulse(corner.J[2], clamp_sum(-error / corner.K[2], corner.sum[2]), body1, body2);
+  }
+  // end [exercise 8.3]
+}
+
+// ---- rebound --------------------------------------------------------------------------------
 
 real impact_speed(real C, real rate, real kick, real h) {
-  // Leapfrog: velocities belong to times halfway between positions, so half of the kick is removed.
+  // begin [exercise 8.4]
+  // Return the speed at the ground. A true fall over the gap C begins with half a kick less than
+  // `rate` and has the acceleration kick / h. Where the square of the speed is negative, return 0.
   const real now = rate - kick / 2;
   return std::sqrt(std::max(real(0), now * now - 2 * kick / h * C));  // Eq. 8-9
+  // end [exercise 8.4]
+}
+
+void rebound(std::vector<ContactRows>& corners, const std::vector<Bounce>& bounces, int iterations,
+             Body& body1, Body& body2) {
+  // begin [exercise 8.4]
+  // The corners have been stopped. Solve their normal rows once more: each only pushes, and one
+  // with a bounce gets its speed, but its sum stays below 1 + ratio times that which stopped it.
+  std::vector<real> most;
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    most.push_back((1 + bounces[k].ratio) * corners[k].sum[2]);
+  for (int i = 0; i < iterations; ++i)
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      ContactRows& corner = corners[k];
+      const real missing = bounces[k].speed - row_velocity(corner.J[2], body1, body2);
+      const real before = corner.sum[2];
+      corner.sum[2] = std::max(real(0), before + missing / corner.K[2]);
+      if (bounces[k].speed > 0) corner.sum[2] = std::min(corner.sum[2], most[k]);
+      apply_impulse(corner.J[2], corner.sum[2] - before, body1, body2);
+    }
+  // end [exercise 8.4]
 }
 
 }  // namespace joints

@@ -1,9 +1,8 @@
-// Exercises 8.1 and 8.2: cases drawn over scales and sides.
+// Exercises 8.1 to 8.4: cases drawn over scales and sides.
 #pragma once
 
-#include "chapters/08_ground/ground.h"
+#include "tests/08_ground/contact_cases.h"
 #include "tests/checker/drawn.h"
-#include "tests/checker/unit_rates.h"
 #include "tests/checker/vector_cases.h"
 
 namespace joints::testing {
@@ -98,6 +97,87 @@ inline Drawn drawn_friction(Draw& d) {
   return {{"change", "new sum"}, {change / size, double(sum) / size},
           {(right - before) / size, right / size},
           {10 + 1e-6 * (bound + stops + std::abs(before)) / size}};
+}
+
+/// Up to eight corners above the ground and in it, some just beside the margin.
+inline Drawn drawn_live(Draw& d) {
+  const double h = d.size("h", 0.01 * d.scale(3), "s");
+  LiveCase c{"", {}, {}, real(h)};
+  const double beside = std::pow(10, -(is_float ? 2 : 6) * d.pick()) / 2;
+  d.size("distance to the margin / margin", beside, "");
+  const int corners = 1 + int(7.99 * d.pick());
+  for (int k = 0; k < corners; ++k) {
+    const double rate = d.chance("a rate is 0") ? 0 : d.number();
+    const double after = d.chance("a corner is beside the margin")
+                             ? 0.1 * h * (1 + (d.pick() < 0.5 ? beside : -beside) * (1 + 0.1 * k))
+                             : h * d.number();
+    c.rate.push_back(real(rate));
+    c.C.push_back(real(after - h * rate));
+  }
+  const Numbers yours = counted(live_corners(c.C, c.rate, c.h, real(0.1)), c.C.size());
+  return {{"0", "1", "2", "3", "4", "5", "6", "7", "no corner"}, yours, live_right(c),
+          Numbers(9, 1)};
+}
+/// Corners of a pair in any units.
+inline ContactCase drawn_contact_case(Draw& d, int corners) {
+  const Draw::Units u = d.units(6);
+  ContactCase c{"", {}, d.chance("mu is 0") ? 0 : 0.5 * std::abs(d.number()), d.pair(u)};
+  if (c.pair.body1.is_static() && c.pair.body2.is_static()) c.pair.body2 = d.body(u);
+  for (Body* body : {&c.pair.body1, &c.pair.body2})
+    body->v = d.vector(u.m / u.s), body->w = d.vector(1 / u.s);
+  const vec3 n = d.turn() * vec3(0, 1, 0), t1 = normalize(cross(n, d.vector()));
+  for (int k = 0; k < corners; ++k) {
+    c.corners.push_back(contact_rows(n, t1, d.vector(u.m), d.vector(u.m), c.pair));
+    c.corners.back().bias = real(d.chance("the bias is 0") ? 0 : d.number() * u.m / u.s);
+    if (d.chance("it is cold")) continue;
+    for (const std::size_t i : {2, 0, 1})
+      c.corners.back().sum[i] =
+          real((i == 2 ? std::abs(d.number()) : 0.5 * c.mu * d.number()) * u.kg * u.m / u.s);
+  }
+  return c;
+}
+/// Sums beside the largest of them; the velocities follow from the sums.
+inline Drawn drawn_sums(const Numbers& yours, const Numbers& right, std::size_t corners) {
+  Drawn out;
+  double size = 1e-300;
+  for (std::size_t i = 12; i < 12 + 3 * corners; ++i) {
+    out.entries.push_back(contact_names()[i]);
+    out.yours.push_back(yours[i]);
+    out.right.push_back(right[i]);
+    size = std::max(size, std::abs(right[i]));
+  }
+  for (double& a : out.yours) a /= size;
+  for (double& a : out.right) a /= size;
+  out.sizes = {1000};
+  return out;
+}
+inline Drawn drawn_contact(Draw& d) {
+  const ContactCase c = drawn_contact_case(d, 2);
+  ContactCase mine = c;
+  solve_contact(mine.corners, real(c.mu), mine.pair.body1, mine.pair.body2);
+  return drawn_sums(numbers_of(mine.corners, mine.pair), contact_right(c), 2);
+}
+inline Drawn drawn_rebound(Draw& d) {
+  ReboundCase c{"", drawn_contact_case(d, 2), {}, 2};
+  const double speed = double(length(c.contact.pair.body2.v));
+  for (int k = 0; k < 2; ++k)
+    c.bounces.push_back(d.chance("no rebound") ? Bounce{}
+                                               : Bounce{real(speed * std::abs(d.number())),
+                                                        real(d.pick())});
+  ContactCase mine = c.contact;
+  rebound(mine.corners, c.bounces, c.iterations, mine.pair.body1, mine.pair.body2);
+  return drawn_sums(numbers_of(mine.corners, mine.pair), rebound_right(c), 2);
+}
+inline Drawn drawn_impact_speed(Draw& d) {
+  const double speed = std::abs(d.any_size(6)), h = 0.01 * d.scale(4);
+  const double kick = d.chance("the kick is 0") ? 0 : -speed * d.scale(is_float ? 1 : 6);
+  const double C = d.chance("C is 0") ? 0 : speed * h * std::abs(d.number());
+  d.size("kick", -kick, "m/s"), d.size("C", C, "m"), d.size("rate", speed, "m/s");
+  const double begin = speed + kick / 2, square = begin * begin - 2 * kick / h * C;
+  const double right = square > 0 ? std::sqrt(square) : 0;
+  const double yours = double(impact_speed(real(C), real(-speed), real(kick), real(h)));
+  return {{"v_hit / speed"}, {yours / speed}, {right / speed},
+          {10 + std::abs(kick) / speed + (right > 0 ? begin * begin / right / speed : 0)}};
 }
 
 }  // namespace joints::testing

@@ -1,6 +1,7 @@
 // The tests of chapter 8's exercises. Linked with the solution, with the reader's file, with the
 // stub and with every known wrong and right answer.
 #include "tests/checker/catch.h"
+#include "tests/08_ground/contact_cases.h"
 #include "tests/08_ground/drawn_cases.h"
 #include "tests/08_ground/friction_cases.h"
 #include "tests/08_ground/gap_cases.h"
@@ -132,4 +133,51 @@ TEST_CASE("8.2 the sum of friction stays within mu times the normal impulse", "[
 
 TEST_CASE("8.2 friction is bounded in all units, whatever it gave before", "[8.2]") {
   check_drawn({"8.2", "the impulse of friction", 2}, drawn_friction, is_float ? 1e-3 : 1e-9, 300);
+}
+
+// ---- 8.3 the corners and their loop -------------------------------------------------------------
+
+TEST_CASE("8.3 the text's corner gets rows, and one of four that is highest does not", "[8.3]") {
+  live_table().check({"by hand", {real(0.1)}, {real(-2.49)}, real(0.05)},
+                     {1, 0, 0, 0, 0, 0, 0, 0, 0});
+  live_table().check({"by hand, five are low", {0, real(-0.01), real(-0.02), real(-0.03),
+                                               real(-0.04)}, {0, -1, 0, 2, 0}, real(0.01)},
+                     {0, 1, 1, 1, 1, 0, 0, 0, 0});
+}
+
+TEST_CASE("8.3 at most four corners get rows: those that will be lowest", "[8.3]") {
+  live_table().check();
+  check_drawn({"8.3", "the corners that get rows"}, drawn_live);
+}
+
+TEST_CASE("8.3 the first iteration of the text's corner", "[8.3]") {
+  check_numbers(contact_table(), paper_contact(paper_corner, paper),
+                {0, 0, 0, 0, 0, 0, 3, -2.39, 0, -0.3, 0, -0.24, 0, 0, 1.2, 0, 0, 0, 0, 0, 0},
+                "by hand ");
+}
+
+TEST_CASE("8.3 an iteration solves friction, friction and the normal row of each corner", "[8.3]") {
+  check_numbers(contact_table());
+  check_drawn({"8.3", "an iteration over the corners", 2}, drawn_contact);
+}
+
+// ---- 8.4 the rebound ----------------------------------------------------------------------------
+
+TEST_CASE("8.4 the text's corner hits the ground with 6.3 m/s", "[8.4]") {
+  check_numbers(speed_table(), {"pencil and paper", 0.0625, -6.45, -0.5, 0.05}, {6.3}, "by hand ");
+  check_numbers(speed_table());
+  check_drawn({"8.4", "the speed of an impact"}, drawn_impact_speed);
+}
+
+TEST_CASE("8.4 a ball leaves the ground, with as much as its bound allows", "[8.4]") {
+  Numbers right(21, 0);
+  right[7] = 3.4, right[14] = 19.7;
+  check_numbers(rebound_table(), paper_rebound(0.6), right, "by hand ");
+  right[7] = 2.58, right[14] = 18.06;
+  check_numbers(rebound_table(), paper_rebound(0.4), right, "by hand ");
+}
+
+TEST_CASE("8.4 corners rebound together, and those without a rebound only push", "[8.4]") {
+  check_numbers(rebound_table());
+  check_drawn({"8.4", "the solve of a rebound", 2}, drawn_rebound);
 }

@@ -39,8 +39,8 @@ EXAMPLES_FOLDER = Path("library") / "examples"
 
 # The functions of exercises that inline functions of the installed headers call; and functions of
 # the engine that have the name of one.
-CALLED_EXERCISES = {"about", "carried", "coupling", "inverse_pivot", "limit_row", "tangents",
-                    "unwrapped"}
+CALLED_EXERCISES = {"about", "carried", "coupling", "impact_speed", "inverse_pivot", "limit_row",
+                    "tangents", "unwrapped"}
 NAMESAKES = {"bias", "step"}
 
 # What the examples in the headers' comments name. A link is the program's own struct.

@@ -14,7 +14,7 @@ TOKEN = re.compile(r'//[^\n]*|"(?:\\.|[^"\\])*"|\d[\w.]*(?:(?<=e)-\d+)?|\w+(?:<[
                    r'::|->|\+\+|--|[-+*/%&|<>=!]=|&&|\|\||\S')
 PAIRS = {"(": ")", "[": "]", "{": "}"}
 # Of places and pointers, a whole step, or long to compile: no sentences.
-LOOPS = ("7.3", "9.2", "9.3", "9.5", "10.5")
+LOOPS = ("7.3", "8.3", "9.2", "9.3", "9.5", "10.5")
 PARTNERS = dict(pair for a, b in (
     ("to_world", "to_local"), ("min", "max"), ("sin", "cos"), ("v", "w"), ("x", "y"), ("y", "z"),
     ("lower", "upper"), ("begin", "end"), ("continue", "break"), ("linear", "angular"),

@@ -135,7 +135,8 @@ inline ContactCase contact_case(const std::string& words, int corners, unsigned 
   const vec3 n = normalize(random.vector(1) + vec3(0, 2, 0));
   const vec3 t1 = normalize(cross(n, random.vector(1)));
   for (int k = 0; k < corners; ++k) {
-    c.corners.push_back(contact_rows(n, t1, random.vector(1), random.vector(1), c.pair));
+    const vec3 r1 = random.vector(1), r2 = random.vector(1);
+    c.corners.push_back(contact_rows(n, t1, r1, r2, c.pair));
     ContactRows& corner = c.corners.back();
     corner.bias = random.uniform(-1, 1);
     if (words == "cold") continue;

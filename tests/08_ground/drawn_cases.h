@@ -127,7 +127,8 @@ inline ContactCase drawn_contact_case(Draw& d, int corners) {
     body->v = d.vector(u.m / u.s), body->w = d.vector(1 / u.s);
   const vec3 n = d.turn() * vec3(0, 1, 0), t1 = normalize(cross(n, d.vector()));
   for (int k = 0; k < corners; ++k) {
-    c.corners.push_back(contact_rows(n, t1, d.vector(u.m), d.vector(u.m), c.pair));
+    const vec3 r1 = d.vector(u.m), r2 = d.vector(u.m);
+    c.corners.push_back(contact_rows(n, t1, r1, r2, c.pair));
     c.corners.back().bias = real(d.chance("the bias is 0") ? 0 : d.number() * u.m / u.s);
     if (d.chance("it is cold")) continue;
     for (const std::size_t i : {2, 0, 1})

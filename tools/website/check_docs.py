@@ -9,9 +9,9 @@ joint's an example, the list of types has three groups, the gallery has a pictur
 recording, and the site is no larger than it may be. In headless Chromium: no page is wider than its
 window at 390 pixels, listings stand where the text does, every word can be told from its background
 in the light and in the dark, paper shows the text alone, the letters of drawings are large enough,
-forty-six searches find the wanted page among the first three, and every motion plays, and axe-core
-finds nothing serious (accessible.py). Where there is no Chromium that is skipped, and the last line
-says so.
+all searches of in_browser.py find the wanted page among the first three, and every motion plays,
+and axe-core finds nothing serious (accessible.py). Where there is no Chromium that is skipped, and
+the last line says so.
 Exit status: 0 good or skipped, 1 something is wrong, 2 no site there.
 """
 import re

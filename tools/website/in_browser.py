@@ -33,7 +33,29 @@ SEARCHES = {
     "spring stiffness": "docs_library-springs", "install on windows": "docs_browser",
     "license": "docs_browser", "thread safe": "docs_library-what-you-may",
     "solver comparison": "beside-the-published-engines", "constraint": "chapters_01",
-    "schur complement": "chapters_09", "changelog": "docs_upgrading"}
+    "schur complement": "chapters_09", "changelog": "docs_upgrading",
+    # In the words of somebody who has just come.
+    "stability": "docs_which_method-how-far",
+    "error against run time": "docs_which_method-error-against",
+    "how do I start": "docs_before_you_start", "ipad": "docs_browser",
+    "does it work on a tablet": "docs_browser", "on my phone": "docs_browser",
+    "chromebook": "docs_browser", "without installing": "docs_browser",
+    "what do I need to know": "docs_before_you_start", "prerequisites": "docs_before_you_start",
+    "basics": "docs_before_you_start", "torque": "docs_before_you_start",
+    "moment of inertia": "docs_before_you_start", "vscode": "docs_editor",
+    "breakpoint": "docs_editor", "use my own editor": "docs_editor", "clion": "docs_editor",
+    "I am stuck": "hints", "help": "hints", "homework": "docs_teaching",
+    "for students": "docs_teaching", "exam": "docs_teaching", "lecture plan": "docs_teaching",
+    "unity": "docs_next_door", "box2d": "docs_next_door", "jolt": "docs_next_door",
+    "mujoco": "docs_next_door", "compare with bullet": "docs_measurements",
+    "symbols": "docs_notation", "glossary": "docs_notation", "videos": "docs_gallery",
+    "animation": "docs_gallery", "ragdoll": "chapters_05", "rope": "chapters_01",
+    "motor too weak": "chapters_04", "my simulation blows up": "chapters_06",
+    "it jitters": "chapters_06", "joint is too soft": "chapters_06", "featherstone": "chapters_11",
+    "gears": "chapters_10", "which solver should I use": "docs_library-which-solver",
+    "papers": "docs_references", "knee": "chapters_03", "why is it slow": "chapters_07",
+    "how fast is it": "chapters_07", "cone limit": "chapters_10", "wheels": "chapters_08",
+    "crane": "chapters_0", "substeps": "docs_next_door-substeps"}
 # All that is asked of a page at the width of a telephone: how wide it is, which listings stand
 # outside the text, which words can hardly be read, and which parts paper would leave out.
 LOOK = """(() => {

@@ -14,25 +14,44 @@ EXERCISE = re.compile(r"\d\.\d+$")
 # Too common to tell one place from another.
 COMMON = set("""the a an of and or in on is are to it its that this with for by as at be not no from
     one two what which has have was were if so but than then only all each per into out
-    can how do does my i me""".split())
+    can how do does my i me should would could use want there am are you your against""".split())
 # What other engines and readers call it, and the words of the site.
 SYNONYMS = {
-    "actuator": "motor", "bounce": "restitution", "bouncy": "restitution", "cable": "rope",
-    "cfm": "softness", "changelog": "upgrading", "collision": "contact ground",
+    "actuator": "motor", "android": "course browser", "animation": "every motion",
+    "animations": "every motion", "basics": "before start", "begin": "before start",
+    "beginner": "before start", "bibliography": "references", "blows": "grow beta",
+    "books": "references", "bounce": "restitution", "bouncy": "restitution",
+    "breakpoint": "debugger", "breakpoints": "debugger", "cable": "rope", "cfm": "softness",
+    "changelog": "upgrading", "checkpoint": "save restore", "chromebook": "course browser",
+    "cite": "references", "clion": "other environments", "collision": "contact ground",
     "collisions": "contact ground", "coloring": "colours", "compare": "beside",
     "comparison": "beside", "compliance": "softness", "constraint": "row joint",
     "constraints": "rows joints", "determinism": "bit identical", "deterministic": "bit identical",
-    "docker": "container", "download": "install", "erp": "beta", "erratum": "errata",
-    "explode": "grow beta", "explodes": "grow beta", "getting": "before",
-    "lcp": "bounds direct solver", "license": "licence", "mac": "macos", "max": "strength",
-    "maximum": "strength", "multithreading": "threads", "nullspace": "dependent rows",
-    "offline": "browser network", "pbd": "position projection", "pgs": "sequential impulses",
-    "prismatic": "slider", "revolute": "hinge", "schur": "elimination", "servo": "motor",
-    "setup": "install", "socket": "ball", "soft": "softness", "sor": "over relaxation",
-    "spherical": "ball", "spring": "softness", "started": "start", "stiff": "softness",
-    "take": "hours", "thread": "threads", "timestep": "step", "units": "conventions",
-    "unstable": "stability", "vectorized": "simd lanes", "weld": "fixed", "wsl": "windows",
-    "xpbd": "substeps softness"}
+    "diverges": "grow beta", "docker": "container", "download": "install", "erp": "beta",
+    "erratum": "errata", "exam": "teaching grading", "explode": "grow beta",
+    "explodes": "grow beta", "gdb": "debugger", "gears": "gear", "getting": "before",
+    "glossary": "notation words", "havok": "engines contacts", "help": "hints",
+    "homework": "handing out teaching", "ide": "editor", "installing": "install browser",
+    "ipad": "course browser", "iphone": "course browser", "jitter": "grow beta",
+    "jitters": "grow beta", "know": "before start", "lcp": "bounds direct solver",
+    "lecture": "lectures teaching", "license": "licence", "mac": "macos", "math": "mathematics",
+    "maths": "mathematics", "max": "strength", "maximum": "strength", "mistake": "errata",
+    "multithreading": "threads", "nullspace": "dependent rows", "offline": "browser network",
+    "online": "course browser", "paper": "references", "papers": "references",
+    "pbd": "position projection", "pgs": "sequential impulses", "phone": "course browser",
+    "physx": "engines contacts", "prerequisites": "before start", "prismatic": "slider",
+    "revise": "before start", "revolute": "hinge", "schur": "elimination",
+    "serialize": "save restore", "servo": "motor", "setup": "install", "shaking": "grow beta",
+    "slow": "time goes", "socket": "ball", "soft": "softness", "sor": "over relaxation",
+    "spherical": "ball", "spring": "softness", "stability": "far method holds",
+    "start": "before start", "started": "before start", "stiff": "softness", "stuck": "hints",
+    "student": "teaching", "students": "teaching", "symbol": "notation letters",
+    "symbols": "notation letters", "tablet": "course browser", "take": "hours",
+    "teacher": "teaching", "telephone": "course browser", "thread": "threads", "timestep": "step",
+    "torn": "drift", "units": "conventions", "unity": "engines contacts",
+    "unreal": "engines contacts", "unstable": "far method holds", "vectorized": "simd lanes",
+    "video": "every motion", "videos": "every motion", "vim": "any editor", "vs": "visual studio",
+    "vscode": "visual studio code", "weld": "fixed", "wsl": "windows", "xpbd": "substeps softness"}
 # What the words of a page weigh, the first name that it has; by this a text and a heading are
 # weighed.
 WEIGHTS = ((r"^docs_library", 4), (r"_README|which_method", 3), (r"chapter\d_1_1", 0.3),

@@ -252,6 +252,14 @@ async function start() {
     $("forces").setAttribute("aria-pressed", forces);
     then_show(find_forces);
   };
+  $("compare").onclick = () => {
+    play(false);
+    $("compare").disabled = true;
+    in_line(() => compare_methods($("methods"), set => then_show(() => {
+      settings = {...settings, own: 0, ...set};
+      return restart();
+    }).then(() => play(true)))).then(() => { $("compare").disabled = false; });
+  };
   $("keep").onclick = () => then_show(() => {
     const words = Object.entries(differences()).map(pair => pair.join(" ")).join(", ");
     for (const panel of panels)

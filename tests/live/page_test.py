@@ -324,9 +324,30 @@ def an_endless_loop_stops_alone(root, build):
     here.wait("entry.name === 'box' && (panels[0].stopped ? $('again').click() : time > 0.5)")
 
 
+def methods_are_compared(root, build):
+    """a table of methods, called as by ./wb compare, frames one; a press on a name sets it"""
+    here, folder = browser.shared(), build / "live"
+    address = live.write_page(folder / "alone.html", "alone", [
+        ("the solution", folder / "solution.wasm")]).as_uri()
+    here.open(f"{address}#scene=heavy&t=0.1")
+    here.click("#compare")
+    here.wait("!document.getElementById('compare').disabled")
+    names = here.ask("[...document.querySelectorAll('#methods button')].map(b => b.textContent)")
+    known = read(root / "comparison" / "compare.cpp")
+    if len(names) < 9 or not all(f'{{"{name}"' in known for name in names):
+        yield f"the methods are {names}"
+    best = here.ask("document.querySelector('#methods .best')?.textContent")
+    if not best or best.startswith(("10 iter", "30 iter", "direct, velocities")):  # these tear
+        yield f"the framed one is {best}"
+    here.ask("[...document.querySelectorAll('#methods button')].at(-1).click()")
+    here.wait("settings.direct === 1 && settings.substeps === 4 && time > 0.1")
+    if "direct=1" not in hash_of(here):
+        yield f"the address is {hash_of(here)}"
+
+
 PROOFS = [it_opens, an_address_is_a_state, texts_say_what_is_shown, settings_work,
           one_looks_into_a_step, causes_are_told_apart, a_question_comes_first,
-          an_endless_loop_stops_alone]
+          an_endless_loop_stops_alone, methods_are_compared]
 
 if __name__ == "__main__":
     skip_without("the live page in a browser",

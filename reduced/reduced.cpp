@@ -55,8 +55,19 @@ struct Grower {
     }
   }
 
-  // Adds everything that a joint connects to a link.
-  void grow(Tree& tree, int parent, std::size_t number) {
+  // Adds everything that a joint connects to a link, parents before children; chains may be long.
+  void grow(Tree& tree, int root, std::size_t number) {
+    std::vector<std::pair<int, std::size_t>> ahead{{root, number}};
+    while (!ahead.empty()) {
+      const auto [parent, joint] = ahead.back();
+      ahead.pop_back();
+      const int child = add(tree, parent, joint);
+      const auto& next = joints_of[std::size_t(tree.links[child].slot)];
+      for (auto joint = next.rbegin(); joint != next.rend(); ++joint)
+        if (!used[*joint]) ahead.emplace_back(child, *joint);
+    }
+  }
+  int add(Tree& tree, int parent, std::size_t number) {
     used[number] = true;
     const Joint& joint = *world.joints()[number];
     const int from = tree.links[parent].slot;
@@ -83,9 +94,7 @@ struct Grower {
       tree.sources.back().joint = &joint;
       tree.sources.back().number = number;
     }
-    const int child = int(tree.links.size()) - 1;
-    for (const std::size_t next : joints_of[std::size_t(to)])
-      if (!used[next]) grow(tree, child, next);
+    return int(tree.links.size()) - 1;
   }
   Tree root(int slot) const {
     Tree tree;
@@ -175,16 +184,23 @@ void Reduced::step(World& world, real h) {
 
 Reduced::Report Reduced::report() const {
   Report out;
-  for (const Tree& tree : trees_)
+  for (const Tree& tree : trees_) {
     if (!(tree.changed() <= out.changed)) out.changed = tree.changed();  // also NaN
+    out.wrong = std::max(out.wrong, tree.wrong());
+  }
   return out;
 }
 
 std::vector<std::string> Reduced::Report::sentences() const {
   constexpr double much = 0.4;
-  if (changed <= much) return {};
-  return {"The energy of a tree changed by more than its forces and drives did: a motion is too "
-          "fast for the step. Take a shorter step."};
+  std::vector<std::string> out;
+  if (!(changed <= much))
+    out.push_back("The energy of a tree changed by more than its forces and drives did: a motion "
+                  "is too fast for the step. Take a shorter step.");
+  if (wrong > 0)
+    out.push_back("A limit, motor or friction is on the wrong side of its bounds. Take a shorter "
+                  "step.");
+  return out;
 }
 
 void Reduced::satisfy(World& world) {

@@ -64,6 +64,7 @@ class Reduced {
     /// Largest fraction by which the energy of a tree has changed, except by forces and drives, of
     /// its kinetic energy, or of the one that a fall within the step brings if that is more [1].
     double changed = 0;
+    int wrong = 0;  ///< drives of a tree on the wrong side of a bound at the end, the most of any
     std::vector<std::string> sentences() const;  ///< and what to do about it; none if it was held
   };
   Report report() const;

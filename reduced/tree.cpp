@@ -211,11 +211,12 @@ Tree::Change Tree::end_kick(real half) {
 }
 
 // Moves drives whose force or rate disagrees with their place to the neighbouring place: all at
-// once, and once that has not helped for some passes, only the last of them, which ends always
-// (Murty's rule of the least index). \return true if there was one
+// once, and once that has not helped for some passes, only the last of them (Murty's rule of the
+// least index). \return true if there was one
 bool Tree::correct_places(real half, int pass, bool& inertia) {
   constexpr int patience = 5, most_passes = 2000;
   if (pass == 0) fewest_wrong_ = int(drives_.size()) + 1, passes_without_gain_ = 0;
+  if (pass == most_passes) wrong_ = std::max(wrong_, fewest_wrong_);
   if (drives_.empty() || pass == most_passes) return false;
   const bool one = passes_without_gain_ >= patience;
   int wrong = 0, place = 0, clip = 0;

@@ -51,9 +51,10 @@ class Tree {
   /// The largest fraction by which a step has changed the energy, except by forces and drives, of
   /// the kinetic energy; at least of the one that a fall within a step brings [1].
   double changed() const { return changed_; }
-  /// Sums of impulses begin anew, and so does changed().
+  int wrong() const { return wrong_; }  ///< drives on the wrong side of a bound in a step
+  /// Sums of impulses begin anew, and so do changed() and wrong().
   void begin_impulses() {
-    changed_ = 0;
+    changed_ = wrong_ = 0;
     for (Drive& drive : drives_) drive.impulse = {};
   }
   /// The Runge-Kutta method of order 4. No drives but springs without a bound. \param h [s]
@@ -107,7 +108,7 @@ class Tree {
   std::vector<real> base_rates_;
   std::vector<vec3> base_w_;
   vec3 base_v_{0};
-  int fewest_wrong_ = 0, passes_without_gain_ = 0;
+  int fewest_wrong_ = 0, passes_without_gain_ = 0, wrong_ = 0;
   double work_ = 0, changed_ = 0;
   real gravity_ = 0;      // its magnitude [m/s^2]
   bool forced_ = false;   // a body has an external force or torque

@@ -1,5 +1,5 @@
 // Motors, servos, friction, limits and springs in reduced coordinates.
-#include <optional>
+#include <map>
 
 #include "direct/direct_solver.h"
 #include "engine/instruments/measure.h"
@@ -21,11 +21,15 @@ struct Arm {
     for (SliderJoint* slider : sliders) use(*slider);
   }
 };
-Arm drawn_arm(Random& random, int joints, real size, real mass) {
+Arm drawn_arm(Random& random, int joints, real size, real mass, Root root = Root::is_static) {
   Arm arm;
   TreeFamily family;
   family.size = size, family.mass = mass;
-  std::vector<BodyId> ids{arm.world.add(static_body(vec3(0), random.turn()))};
+  Body base = root == Root::is_free ? uneven_body(random, family, vec3(0))
+                                    : static_body(vec3(0), random.turn());
+  base.kinematic = root == Root::is_kinematic;
+  if (root != Root::is_static) base.w = random.vector(1), base.v = random.vector(size);
+  std::vector<BodyId> ids{arm.world.add(base)};
   for (int k = 1; k <= joints; ++k) {
     const BodyId before = ids[std::size_t(std::max(0, k - 1 - int(random.uniform(0, real(1.5)))))];
     const vec3 x = arm.world.bodies[before].x + random.vector(size);
@@ -52,7 +56,7 @@ vec3 axis_of(const World& world, const J& joint) {
 
 TEST_CASE("motors that move an arm exert the torques of inverse dynamics") {
   Random random(52001);
-  double worst = 0, worst_rate = 0;
+  double worst = 0, worst_rate = 0;  // relative to the accelerations without motors, and [rad/s]
   for (int n = 0; n < 10; ++n) {
     Arm arm = drawn_arm(random, 10, std::pow(real(10), random.uniform(-2, 1)), 1);
     World& world = arm.world;
@@ -68,61 +72,76 @@ TEST_CASE("motors that move an arm exert the torques of inverse dynamics") {
       worst_rate = std::max(worst_rate,
                             std::abs(double(joint.speed(world.bodies) - speeds[at++])));
     });
-    // what the motors do, done by external forces: then nothing accelerates the coordinates
+    std::map<const Joint*, Reaction> loads;
+    for (const auto& joint : world.joints()) loads[joint.get()] = tree.load(*joint);
+    const auto load_of = [&](const Joint& joint) { return loads.at(&joint); };
+    arm.for_each([](auto& joint) { joint.set_motor(0, 0); });
+    double free = 0;
+    const Column idle = accelerations_of_rows(world, 10);
+    for (long k = 0; k < long(idle.size()); k += 6)
+      free = std::max(free, glm::length(three(idle, k + 3)));
+    // what the motors did, done by external forces: then nothing accelerates the coordinates
     for (HingeJoint* hinge : arm.hinges) {
       const vec3 a = axis_of(world, *hinge);
-      const real torque = dot(a, tree.load(*hinge).torque);
+      const real torque = dot(a, load_of(*hinge).torque);
       Body &one = world.bodies[hinge->body1], &two = world.bodies[hinge->body2];
       if (!one.is_static()) one.torque -= torque * a;
       if (!two.is_static()) two.torque += torque * a;
     }
     for (SliderJoint* slider : arm.sliders) {
       const vec3 a = axis_of(world, *slider);
-      const vec3 force = dot(a, tree.load(*slider).force) * a;
+      const vec3 force = dot(a, load_of(*slider).force) * a;
       Body &one = world.bodies[slider->body1], &two = world.bodies[slider->body2];
       const vec3 at_point = world_point(two, slider->coordinate().anchor2_local);
       if (!one.is_static()) one.force -= force, one.torque -= cross(at_point - one.x, force);
       if (!two.is_static()) two.force += force, two.torque += cross(at_point - two.x, force);
     }
-    arm.for_each([](auto& joint) { joint.set_motor(0, 0); });
     const Column rows = accelerations_of_rows(world, 10);
     for (std::size_t k = 0; k < arm.hinges.size(); ++k) {
       const HingeJoint& hinge = *arm.hinges[k];
       const long one = 6 * long(hinge.body1.slot) + 3, two = 6 * long(hinge.body2.slot) + 3;
       const dvec3 a(axis_of(world, hinge));
       const double along = glm::dot(a, three(rows, two) - three(rows, one));
-      worst = std::max(worst, std::abs(along));
+      worst = std::max(worst, std::abs(along) / free);
     }
   }
-  INFO("worst " << worst << " rad/s^2, rates " << worst_rate);
-  CHECK(worst < tolerance(1e-8, 10));
+  INFO("worst " << worst << ", rates " << worst_rate);
+  CHECK(worst < tolerance(1e-9, 1e-2));
   CHECK(worst_rate < tolerance(1e-12, 1e-4));
 }
 
-TEST_CASE("friction in drawn arms holds what it can, and opposes the rest with all its strength") {
+TEST_CASE("friction and motors in drawn arms hold what they can, and exert their bound else") {
   Random random(52002);
   int held = 0, moving = 0;
-  for (int n = 0; n < 60; ++n) {
-    Arm arm = drawn_arm(random, 2 + n % 20, 1, std::pow(real(10), random.uniform(-2, 2)));
+  for (int n = 0; n < 90; ++n) {
+    Arm arm = drawn_arm(random, 2 + n % 20, 1, std::pow(real(10), random.uniform(-2, 2)),
+                        Root(n / 2 % 3));
+    const bool motors = n % 2 == 1, from_rest = n / 2 % 3 == 0;
+    std::vector<real> speeds;
     arm.for_each([&](auto& joint) {
-      joint.set_friction(std::pow(real(10), random.uniform(-1, 3)));
+      const real strength = std::pow(real(10), random.uniform(-1, 3));
+      speeds.push_back(motors ? random.uniform(-1, 1) : real(0));
+      motors ? joint.set_motor(speeds.back(), strength) : joint.set_friction(strength);
     });
     Reduced tree(arm.world);
     tree.step(arm.world, h);
+    std::size_t at = 0;
     arm.for_each([&](auto& joint) {
-      const real rate = joint.speed(arm.world.bodies), force = joint.friction_force();
-      const real strength = joint.friction();
+      const real speed = speeds[at++], rate = joint.speed(arm.world.bodies) - speed;
+      const real force = motors ? joint.motor_force() : joint.friction_force();
+      const real strength = motors ? joint.motor().strength : joint.friction();
+      CHECK(std::abs(force) <= strength * real(tolerance(1 + 1e-9, 1.001)));
       if (std::abs(rate) < tolerance(1e-12, 1e-5)) {
         ++held;
-        CHECK(std::abs(force) <= strength * real(tolerance(1 + 1e-9, 1.001)));
-      } else {
+      } else if (from_rest && rate * speed <= 0) {  // others have passed it within the step
         ++moving;
         CHECK(double(force) == Approx(double(rate > 0 ? -strength : strength)));
       }
     });
   }
+  INFO(held << " held, " << moving << " moving");
   CHECK(held > 100);
-  CHECK(moving > 100);
+  CHECK(moving > 50);
 }
 
 TEST_CASE("limits of drawn arms hold to a millionth, and a coordinate that hits one stops there") {
@@ -130,7 +149,8 @@ TEST_CASE("limits of drawn arms hold to a millionth, and a coordinate that hits 
   double worst = 0, gained = 0;
   int live = 0;
   for (int n = 0; n < 20; ++n) {
-    Arm arm = drawn_arm(random, 2 + n % 9, 1, 1);
+    const Root root = n % 2 == 0 ? Root::is_static : Root::is_free;
+    Arm arm = drawn_arm(random, 2 + n % 9, 1, 1, root);
     std::vector<Range> limits;
     arm.for_each([&](auto& joint) {
       limits.push_back({-random.uniform(0, real(0.5)), random.uniform(0, real(0.5))});
@@ -159,11 +179,11 @@ TEST_CASE("limits of drawn arms hold to a millionth, and a coordinate that hits 
 TEST_CASE("drawn arms with drives of every kind, strong and weak, run and keep their limits") {
   Random random(52004);
   double worst = 0;
-  int live = 0, ran = 0;
+  int live = 0, ran = 0, said = 0;
   const int arms = 60;
   for (int n = 0; n < arms; ++n) {
     const real size = std::pow(real(10), random.uniform(-2, 1));
-    Arm arm = drawn_arm(random, 2 + n % 20, size, 1);
+    Arm arm = drawn_arm(random, 2 + n % 20, size, 1, Root(n % 3));
     arm.world.gravity *= size;
     const auto power = [&](real least, real most) {
       return size * size * 10 * std::pow(real(10), random.uniform(least, most));
@@ -183,6 +203,8 @@ TEST_CASE("drawn arms with drives of every kind, strong and weak, run and keep t
     Reduced tree(arm.world);
     for (int k = 0; k < 60; ++k) {
       tree.step(arm.world, h);
+      said += tree.report().wrong > 0;
+      if (tree.report().wrong > 0) break;  // the rest of this run begins beyond a limit
       arm.for_each([&](auto& joint) {
         const real unit = std::is_same_v<decltype(joint), SliderJoint&> ? size : real(1);
         const real x = joint.position(arm.world.bodies);
@@ -194,7 +216,8 @@ TEST_CASE("drawn arms with drives of every kind, strong and weak, run and keep t
     }
     ran += all_finite(arm.world);
   }
-  INFO("worst " << worst << ", live " << live);
+  INFO("worst " << worst << ", live " << live << ", said " << said);
+  CHECK(said <= 5);
   CHECK(ran == arms);
   CHECK(worst < tolerance(1e-6, 1e-3));
   CHECK(live > 5000);

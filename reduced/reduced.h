@@ -67,7 +67,7 @@ class Reduced {
     int wrong = 0;  ///< drives of a tree on the wrong side of a bound at the end, the most of any
     std::vector<std::string> sentences() const;  ///< and what to do about it; none if it was held
   };
-  Report report() const;
+  Report report() const;  ///< of the last step, over all trees
 
   /// Writes the poses and velocities with which the next step begins: they satisfy the joints. The
   /// velocities are changed as impulses of the joints would.

@@ -14,13 +14,14 @@ namespace joints {
 
 /// Values as bytes, in sequence.
 struct Bytes {
-  std::string data;
+  std::string data{};  ///< the bytes
   std::size_t at = 0;  ///< of the next that is read
 
+  /// Appends `size` bytes.
   void write(const void* from, std::size_t size) {
     data.append(static_cast<const char*>(from), size);
   }
-  /// Whatever they are: what is not there is not read.
+  /// Takes the next `size` bytes. \throws std::invalid_argument if there are fewer
   void read(void* to, std::size_t size) {
     if (size > data.size() - at) throw std::invalid_argument("the bytes end too early");
     data.copy(static_cast<char*>(to), size, at);

@@ -29,6 +29,7 @@ struct Bytes {
   }
 };
 
+/// True for vectors of whatever type.
 template <class T>
 constexpr bool is_vector = false;
 template <class T>
@@ -67,6 +68,7 @@ void get(Bytes& bytes, T& value) {
     bytes.read(&value, sizeof value);
   }
 }
+/// The next value, as get() reads it.
 template <class T>
 T got(Bytes& bytes) {
   T value{};

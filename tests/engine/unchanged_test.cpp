@@ -9,7 +9,6 @@
 #include "tests/oracle/picture.h"
 #include "tests/oracle/test.h"
 
-using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 
 namespace {

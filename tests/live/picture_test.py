@@ -148,7 +148,8 @@ COVERED = """(() => {
   const box = panels[0].canvas.getBoundingClientRect();
   return [bodies, 100 * box.width * box.height / innerWidth / innerHeight, shadow]; })()"""
 # At 1 s bodies must cover as much of the picture [percent], also in the scenes of the thinnest.
-LEAST, THIN = 8, ("pendulum", "chain", "heavy", "piston")
+LEAST = 8
+THIN = ("pendulum", "chain", "heavy", "piston", "bridge", "door", "ropes")
 
 
 def bodies_are_lit(root, build):

@@ -1,10 +1,8 @@
 """The sources: their includes and lengths: sources_test.py ROOT BUILD"""
 import re
-import subprocess
 import sys
-from pathlib import Path
 
-from proofs import beyond, files, main, read
+from proofs import beyond, files, house, main, read
 
 import layers
 
@@ -60,12 +58,10 @@ def sources_are_short(root, build):
 
 
 def files_have_a_name(root, build):
-    """whatever is kept says by its name what it is: a kind, or a name that tools look for"""
-    known = {"wb", "LICENSE", "Dockerfile", "Doxyfile", "run", "other_debian"}
-    kept = subprocess.run(["git", "ls-files", "-z"], cwd=root, capture_output=True, text=True)
-    for name in filter(None, kept.stdout.split("\0")):
-        if "." not in Path(name).name and Path(name).name not in known:
-            yield f"{name}: what is it? Give it an ending, or remove it"
+    """every file says by its name what it is: a kind, or a name that tools look for"""
+    for path in house.sources(root):
+        if "." not in path.name and path.name not in {"wb", "LICENSE", "Dockerfile", "Doxyfile"}:
+            yield f"{path.relative_to(root)}: what is it? Give it an ending, or remove it"
 
 
 def drawing_is_true(root, build):

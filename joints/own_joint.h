@@ -91,7 +91,10 @@ inline void check(const Gear& gear) {
   require(finite(gear.ratio) && gear.ratio != 0, "ratio", gear.ratio,
           "must be finite and not 0 [1]");
 }
-/// Two wheels that mesh, on axles of a fixed housing: each wheel has a hinge of its own.
+/// Two wheels that mesh, on axles of a fixed housing: each wheel has a hinge of its own. On a
+/// housing that moves the row would need three bodies, and reduced coordinates reject it, too: give
+/// the hinge of wheel 2 a servo instead, with ratio times the angle of wheel 1 as its target before
+/// every step. Wheel 2 then follows some steps behind, and wheel 1 feels nothing of it.
 using GearJoint = CountingJoint<Gear>;
 /// The angle of a body about an axle of the fixed housing, 0 in its present orientation.
 /// \param axle direction, world, of any length

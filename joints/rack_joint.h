@@ -58,7 +58,9 @@ inline Rack make(std::type_identity<Rack>, const Body& pinion, const Body& rack,
                  const vec3& direction, real radius) {
   return {angle_on(pinion, axle), normalize(direction), rack.x, vec3(0), radius};
 }
-/// A pinion, which has a hinge of its own, and a rack, which has a slider of its own.
+/// A pinion, which has a hinge of its own, and a rack, which has a slider of its own. On a housing
+/// that moves, give the slider a servo instead, as for a GearJoint: its target is radius times the
+/// angle of the pinion.
 using RackJoint = CountingJoint<Rack>;
 
 /// A rope from body 1 over two fixed pulleys to body 2. One-sided: it only pulls. Removes one
@@ -110,7 +112,9 @@ inline Pulley make(std::type_identity<Pulley>, const Body& body1, const Body& bo
   return {top1, top2, to_local(body1, point1 - body1.x), to_local(body2, point2 - body2.x),
           length(point1 - top1) + ratio * length(point2 - top2), ratio};
 }
-/// A rope over two pulleys.
+/// A rope over two pulleys. Where they move, set part.top1 and part.top2 before every step: the
+/// rope follows some steps behind, and the pulleys feel nothing of it, which would need a row of
+/// four bodies.
 using PulleyJoint = PartJoint<Pulley>;
 
 }  // namespace joints

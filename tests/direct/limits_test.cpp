@@ -189,7 +189,8 @@ TEST_CASE("forty limits hit at once take more passes than a few, and are all rig
   }
 }
 
-TEST_CASE("dolls of any size that land on their limits keep their joints, and take few passes") {
+TEST_CASE("dolls of any size that land on their limits keep their joints, and take few passes",
+          "[slow]") {
   for (const bench::Family& family : bench::contact_families())
     for (unsigned seed = 1; family.name == "limited dolls" && seed <= 24; ++seed)
       for (const real added : {real(0), real(8)}) {

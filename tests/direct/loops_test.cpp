@@ -107,7 +107,7 @@ TEST_CASE("Bricard's linkage: a pivot that is rounding error makes impulses of a
   CHECK(matrix.largest_multiplier(plain_inverse) > tolerance(1e6, 1e4));
 }
 
-TEST_CASE("parallel four-bars stay parallel, and closed, where they all lie level") {
+TEST_CASE("parallel four-bars stay parallel, and closed, where they all lie level", "[slow]") {
   // in float the linkage leaves the parallel motion there, as any linkage of such bars may
   for (const int loops : is_float ? std::vector<int>{2} : std::vector<int>{2, 10, 40}) {
     CAPTURE(loops);
@@ -164,7 +164,8 @@ TEST_CASE("beads that whip faster than the step can follow are slowed down, and 
 
 // ---- energy -------------------------------------------------------------------------------------
 
-TEST_CASE("where new factors correct the poses of drawn linkages, the energy hardly grows") {
+TEST_CASE("where new factors correct the poses of drawn linkages, the energy hardly grows",
+          "[slow]") {
   const auto kinetic = [](const World& world) {
     Bodies bodies = world.bodies;
     for (Body& body : bodies) use_own_rate(body);
@@ -196,7 +197,8 @@ TEST_CASE("where new factors correct the poses of drawn linkages, the energy har
   CHECK(most < tolerance(0.0101, 0.05));
 }
 
-TEST_CASE("a mechanism that passes a pose too fast for its energy says so, and no other") {
+TEST_CASE("a mechanism that passes a pose too fast for its energy says so, and no other",
+          "[slow]") {
   int told = 0, quiet = 0;
   for (const bench::Family& family : bench::joint_families())
     for (unsigned seed = 301; seed <= 340; ++seed) {

@@ -82,7 +82,7 @@ TEST_CASE("a car's wheel at 100 km/h keeps energy and momentum on its axle") {
   }
 }
 
-TEST_CASE("drawn rotors in free flight keep energy and momentum up to 2.5 rad a step") {
+TEST_CASE("drawn rotors in free flight keep energy and momentum up to 2.5 rad a step", "[slow]") {
   for (const int hertz : {60, 240})
     for (const real added : {real(8), real(0)}) {
       const double momentum = tolerance(1e-12, 1e-3);
@@ -97,7 +97,7 @@ TEST_CASE("drawn rotors in free flight keep energy and momentum up to 2.5 rad a 
     }
 }
 
-TEST_CASE("rotors and tops beyond 2.5 rad a step gain no energy, or the step says so") {
+TEST_CASE("rotors and tops beyond 2.5 rad a step gain no energy, or the step says so", "[slow]") {
   for (const char* name : {"rotors", "tops"})
     for (const int hertz : {30, 20, 12, 6}) {
       const Count now = count(name, hertz, with(8, 8), [](const bench::Outcome& out) {
@@ -122,7 +122,8 @@ TEST_CASE("motors between bodies in free flight leave their angular momentum at 
   }
 }
 
-TEST_CASE("tops lean and precess without a gain of energy, and drawn chains of short links fold") {
+TEST_CASE("tops lean and precess without a gain of energy, and drawn chains of short links fold",
+          "[slow]") {
   for (const real added : {real(8), real(0)}) {
     const Count tops = count("tops", 60, with(8, added), [](const bench::Outcome& out) {
       return out.gain < 0.01 && out.gap < tolerance(1e-6, 1e-3);

@@ -84,7 +84,8 @@ Rods loop(unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("chains pulled straight between two walls stay closed under blows and come to rest") {
+TEST_CASE("chains pulled straight between two walls stay closed under blows and come to rest",
+          "[slow]") {
   for (unsigned seed = 90001; seed <= 90050; ++seed) {
     CAPTURE(seed);
     const Worst worst = between_walls(seed, false).run();

@@ -39,7 +39,8 @@ struct Watched {
 
 }  // namespace
 
-TEST_CASE("in drawn families a step says what it cannot follow, and nothing where it follows all") {
+TEST_CASE("in drawn families a step says what it cannot follow, and nothing where it follows all",
+          "[slow]") {
   const std::set<std::string> calm{"hubs", "driven arms", "rotors", "motors in flight"};
   int followed = 0, lost = 0;
   for (const auto& families : {bench::joint_families(), bench::motion_families()})
@@ -62,7 +63,8 @@ TEST_CASE("in drawn families a step says what it cannot follow, and nothing wher
   CHECK(lost > 20);
 }
 
-TEST_CASE("ends of 1e2 to 1e6 links: the step says where their tension is too fast for it") {
+TEST_CASE("ends of 1e2 to 1e6 links: the step says where their tension is too fast for it",
+          "[slow]") {
   int silent = 0, said = 0;
   for (const auto method : {leapfrog, kutta})
     for (int exponent = 2; exponent <= 6; ++exponent)

@@ -59,7 +59,8 @@ double scale_of_energy(const World& world, const TreeFamily& family) {
 
 }  // namespace
 
-TEST_CASE("accelerations in coordinates are those of the rows, in drawn trees of any size") {
+TEST_CASE("accelerations in coordinates are those of the rows, in drawn trees of any size",
+          "[slow]") {
   Random random(51001);
   int held = 0;
   double worst = 0;

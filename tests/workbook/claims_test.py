@@ -91,9 +91,12 @@ def first_at_a_micrometre(tables):
 
 
 def first_at_a_millimetre(tables):
-    """Ours alone are first on the trees, and on the linkages ODE cannot be told from them."""
+    """Ours alone are first on the trees; on the linkages ODE cannot be told from them, and alone
+    is first at 10 mm."""
     return all(engines == {"ours"} if scene not in LOOPS else {"ours", "ODE"} <= engines
-               for scene, engines, _ in tables.first(1e-3))
+               for scene, engines, _ in tables.first(1e-3)) and all(
+        engines == {"ours" if scene not in LOOPS else "ODE"}
+        for scene, engines, _ in tables.first(1e-2))
 
 
 def lost_by_tree_alone(tables):
@@ -160,7 +163,7 @@ CLAIMS = [
           "reduced coordinates, on the two closed linkages with Runge-Kutta on rows.",
           first_at_a_micrometre, ("ours", "MuJoCo")),
     Claim(GUIDE, "It is also the first to reach a millimetre on the trees; on the linkages ODE is "
-          "as fast.", first_at_a_millimetre, ("ODE", "Bullet")),
+          "as fast there, and the first to reach 10 mm.", first_at_a_millimetre, ("ODE", "Bullet")),
     Claim(GUIDE, "beads, heavy ends and random chains gained energy or were lost; the direct "
           "solver held all of these.", lost_by_tree_alone, ("inertia", "si30")),
     Claim(GUIDE, "smaller than with 30 iterations in 35 of 36 scenes that either of them holds, "

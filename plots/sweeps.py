@@ -192,8 +192,8 @@ def machine(table):
                                       zip(table["engine"], table["version"]) if version))
     return (f"{words[0]}, one core, double. Ours: {words[-1]}. {engines}: Debian's packages, -O2, "
             "any x86-64. Bars: from quartile to quartile of the times; without one it is shorter "
-            "than the mark. All start with half a step of the forces. Iterations, and settings beside "
-            "another of their engine, are in the large panel alone.")
+            "than the mark. All start with half a step of the forces. Iterations, and settings "
+            "beside another of their engine, are in the large panel alone.")
 
 
 def main():

@@ -66,7 +66,7 @@ def shadow(ax):
 
 def rate(ax):
     """g lies between the axes and has the component 1 along both."""
-    title(ax, 220, "$g$: between the axes, 1 long along either")
+    title(ax, 220, "$g$ has the component 1 along each axis")
     root, length, half = np.array([220.0, 80.0]), 190.0, 32.0
     tip1, tip2 = (root + length * direction(90 + sign * half) for sign in (1, -1))
     tip = root + (0, length / np.cos(np.radians(half)))
@@ -85,7 +85,7 @@ def rate(ax):
     words(ax, tip + (14, 8), "$g$", ARROW, 16)
     words(ax, root + (-92, 70), "length 1", BODY1, 12)
     words(ax, root + (92, 70), "length 1", BODY2, 12)
-    below(ax, 220, "$a_1$, $a_2$: the axes of the two bodies, here far from aligned", 44)
+    below(ax, 220, "$g$ is longer than $a_1$ and $a_2$, the bodies' axes", 44)
 
 
 THETA, ALPHA = 78, 24  # of the twist and of the swing [degrees]

@@ -84,25 +84,25 @@ def free_axis(ax, pivot, tilt, gap):
 
 def closing(ax):
     """Left: the correction of a slanted gap rotates the body."""
-    title(ax, 150, "closing: it rotates")
+    title(ax, 150, "a slanted pull also rotates")
     gap = np.array([48.0, 50.0])
     anchor, x = free_axis(ax, (60, 176), 0, gap)
     arrow(ax, (60, 176), anchor, INK, 2.8)
     arrow(ax, anchor + (-14, 14), anchor + (-14, 14) - 0.66 * gap, ARROW, 3)
     turn(ax, x, 48, -62, 62, BODY2, 2.8)
-    words(ax, anchor - gap / 2 + (18, -8), "$C_0$")
-    words(ax, (anchor + x) / 2 + (-14, 14), "$r$", FAINT)
+    words(ax, anchor - gap / 2 + (40, -10), "gap $C_0$")
+    words(ax, (anchor + x) / 2 + (-14, 14), "lever $r$", FAINT)
     words(ax, anchor + (-30, 28), "$-\\beta\\,C_0/h$", ARROW, 13)
-    below(ax, 150, "seen along the free axis", 72)
+    below(ax, 150, "seen along the axis of a hinge", 72)
 
 
 def closed(ax):
     """Right: the gap is closed, and an angular velocity stays."""
-    title(ax, 450, "closed: it still rotates")
+    title(ax, 450, "closed: the rotation stays")
     _, x = free_axis(ax, (370, 176), 22, (0, 0))
     turn(ax, x, 50, 4, 40, BODY2, 2.8)
     words(ax, x + (10, 60), "$\\omega_{\\mathrm{left}}$", BODY2, 15)
-    below(ax, 450, "no row stops it", 72)
+    below(ax, 450, "no row of a hinge stops it", 72)
 
 
 if __name__ == "__main__":

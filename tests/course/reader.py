@@ -107,7 +107,7 @@ class Exercise:
         """The words of the scene below, once it moves."""
         frame = f"{self.place}.querySelector('.scene iframe')"
         self.browser.wait(f"{frame}.contentWindow.eval({json.dumps(state)})",
-                          f"{frame}?.contentDocument.body.innerText")
+                          f"{frame}?.contentDocument?.body?.innerText")
         return self.browser.ask(f"{frame}.contentDocument.body.innerText")
 
 

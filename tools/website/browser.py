@@ -40,8 +40,10 @@ class Page:
 
     def wait(self, code, look=STATE, patience=PATIENCE):
         """The value of an expression, once it is true; it may throw while the page is not all
-        there. If it does not come true, the error says what is there instead: `look`."""
-        end, pause = time.time() + patience, 0.005
+        there. If it does not come true, the error says what is there instead: `look`. On a busy
+        machine it is waited for as many times as long as it is slower."""
+        busy = max(1, os.getloadavg()[0] / os.cpu_count())  # how many want each processor
+        end, pause = time.time() + busy * patience, 0.005
         while True:
             try:
                 if seen := self.ask(code):
@@ -49,7 +51,7 @@ class Page:
             except RuntimeError as error:
                 seen = error
             if time.time() > end:
-                raise TimeoutError(f"awaited for {patience} s: {code}\nit is: {seen}\n"
+                raise TimeoutError(f"awaited for {busy * patience:.0f} s: {code}\nit is: {seen}\n"
                                    f"there is: {self.ask(look)}\nconsole: {self.console}")
             time.sleep(pause)
             pause = min(1.2 * pause, 0.1)

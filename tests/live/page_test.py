@@ -282,6 +282,12 @@ def causes_are_told_apart(root, build):
         yield f"of code that has stopped: {shown(here)}"
     if "Your code stops at t = 0.00 s (step 1): too far" not in here.text_of("parted"):
         yield f"where the code matters: {here.text_of('parted')}"
+    here.open(live.write_page(folder / "parting.html", "pair", [
+        ("yours", folder / "endless.wasm"), ("the solution", folder / "solution.wasm")],
+        note="your 1.1", chapter=1).as_uri())
+    told = here.wait("(told => told.includes('never to end') && told)($('parted').textContent)")
+    if "Your code stops at t = 0.00 s (step 0): no answer" not in told or ".." in told:
+        yield f"of code that does not end: {told}"
 
 
 def a_question_comes_first(root, build):

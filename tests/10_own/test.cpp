@@ -25,9 +25,10 @@ void check_by_hand(const Part& part, const Pair& pair, const Row& row) {
 }
 
 // Errors that are small, and none may be left out for it.
-constexpr double nearly_closed[] = {1e-3, -1e-5, 1e-8, -1e-11};
+constexpr double nearly_closed[] = {1e-3, -1e-5, 1e-8, -5e-10};
 // And large ones, of which nothing may be cut off.
 constexpr double far_off[] = {3e3, -3e5, 3e7};
+constexpr double of_any_size[] = {1e-3, -1e-5, 1e-8, -5e-10, 3e3, -3e5, 3e7};
 
 }  // namespace
 
@@ -48,6 +49,13 @@ TEST_CASE("10.1 axes that lean towards each other by 37 degrees have an error of
 
 TEST_CASE("10.1 the row of a right angle is the slope of its error at every pose", "[10.1]") {
   check_jacobian<RightAngleFixture>();
+  for (const double off : nearly_closed) {  // along each other, where the row is nearly zero
+    const Row J = RightAngle{vec3(1, 0, 0), vec3(1, 0, 0)}.jacobian(
+        static_body(vec3(0)), turned_body({0, 0, real(off)}));
+    const vec3 n(0, 0, real(off));
+    expect(RightAngleFixture::J, "w1, nearly parallel", J.w1, n, 1e-3 * std::abs(off));
+    expect(RightAngleFixture::J, "w2, nearly parallel", J.w2, -n, 1e-3 * std::abs(off));
+  }
 }
 
 // ---- 10.2 ---------------------------------------------------------------------------------------
@@ -58,15 +66,26 @@ TEST_CASE("10.2 a gear of 1 to -2 holds after a quarter turn and half a turn bac
   const Pair slipped{closed.body1, turned_body(vec3(0, 0, real(-1)))};
   gear_table().check({"by hand", gear, closed}, {0});
   gear_table().check({"by hand, slipped", gear, slipped}, {0.2});
-  for (const double off : nearly_closed)
-    gear_table().check(
-        {"nearly closed", gear, {static_body(vec3(0)), turned_body({0, 0, real(off)})}}, {off});
+  const Body rest = static_body(vec3(0));
+  for (const double off : nearly_closed) {
+    const Body turned = turned_body({0, 0, real(off)});
+    gear_table().check({"nearly closed", gear, {rest, turned}}, {off});
+    gear_table().check({"nearly closed, of wheel 1", gear, {turned, rest}}, {2 * off});
+  }
+  const real turn = 2 * std::numbers::pi_v<real>;
   for (const double turns : far_off) {
     if (is_float && turns > 100) break;  // float has no digits for a fraction of so many turns
     Gear far = gear;
-    far.angle2.expected = real(2 * std::numbers::pi * turns);
-    gear_table().check({"far off", far, {static_body(vec3(0)), static_body(vec3(0))}},
-                       {2 * std::numbers::pi * turns});
+    far.angle2.expected = turn * real(turns);
+    gear_table().check({"far off", far, {rest, rest}}, {double(far.angle2.expected)});
+    std::swap(far.angle1, far.angle2);
+    gear_table().check({"far off, of wheel 1", far, {rest, rest}},
+                       {2 * double(far.angle1.expected)});
+  }
+  for (const double ratio : of_any_size) {
+    if (is_float) break;
+    const Gear any{{gear.angle1.a1_local, {1, 0, 0, 0}, turn}, gear.angle2, real(ratio)};
+    gear_table().check({"of any ratio", any, {rest, rest}}, {-ratio * double(turn)});
   }
   gear_table().check();
   check_by_hand<GearFixture>(gear, closed, Row{vec3(0), vec3(0, 0, 2), vec3(0), vec3(0, 0, 1)});
@@ -74,10 +93,35 @@ TEST_CASE("10.2 a gear of 1 to -2 holds after a quarter turn and half a turn bac
 
 TEST_CASE("10.2 the row of a gear is the slope of its error, also on tilted axles", "[10.2]") {
   check_jacobian<GearFixture>();
+  const Body rest = static_body(vec3(0));
+  for (const double ratio : of_any_size) {
+    const vec3 w1 = Gear{{vec3(0, 0, 1)}, {vec3(0, 0, 1)}, real(ratio)}.jacobian(rest, rest).w1;
+    expect(GearFixture::J, "w1 of ratio " + short_number(ratio), w1, vec3(0, 0, real(-ratio)),
+           1e-3 * std::abs(ratio));
+  }
 }
 
 TEST_CASE("10.2 a gear expects its wheels where they will be after the step", "[10.2]") {
   count_table().check();
+}
+
+TEST_CASE("10.2 no angle and no rate is too small or too large to be counted", "[10.2]") {
+  const real h = real(0.05);
+  const vec3 y(0, 1, 0), z(0, 0, 1);
+  const std::vector<std::string> likely = count_table().likely();
+  for (const double x : of_any_size)
+    for (const bool rotates : {false, true}) {
+      const real turned = rotates ? 0 : real(x), rate = rotates ? real(x) : 0;
+      Gear gear{{z, {1, 0, 0, 0}, turned}, {y, {1, 0, 0, 0}, turned}, 1};
+      Body one = turned_body(turned * z), two = turned_body(turned * y);
+      one.w = rate * z, two.w = rate * y;
+      gear.count(one, two, h);
+      const double right = rotates ? double(h) * x : x;
+      const std::string where = " at " + short_number(x) + (rotates ? " rad/s" : " rad");
+      for (const auto& [name, angle] : {std::pair("angle1", gear.angle1), {"angle2", gear.angle2}})
+        expect_or_say(count_table().subject, std::string(name) + ".expected" + where,
+                      double(angle.expected), right, 1e-3 * std::abs(right), likely);
+    }
 }
 
 TEST_CASE("10.2 wheels that turn by more than half a turn in a step keep their turns", "[10.2]") {
@@ -92,12 +136,10 @@ TEST_CASE("10.2 wheels that turn by more than half a turn in a step keep their t
       one.q = rotation(real(n) * h * one.w);
       two.q = rotation(real(n) * h * two.w);
     }
-    const double yours = double(angle_of(gear.angle1, one)), right = double(steps * h * rate);
-    std::vector<Suspect> suspects;
-    for (const std::string& words : count_table().likely()) suspects.push_back({yours, words});
-    expect(count_table().subject, "angle of wheel 1 after a second at " +
-                                      short_number(double(rate)) + " rad/s",
-           yours, right, is_float ? 0.05 : 1e-9, suspects);
+    expect_or_say(count_table().subject, "angle of wheel 1 after a second at " +
+                                             short_number(double(rate)) + " rad/s",
+                  double(angle_of(gear.angle1, one)), double(steps * h * rate),
+                  is_float ? 0.05 : 1e-9, count_table().likely());
   }
 }
 

@@ -43,3 +43,5 @@
 //         product": {vec3(0), n, vec3(0), -n} ==> {vec3(0), a1, vec3(0), -a2}
 // mistake "body 1 is missing: a1 turns as well": {vec3(0), n, vec3(0), -n} ==> {vec3(0), vec3(0),
 //         vec3(0), -n}
+// wrong "w1, nearly parallel": return ==> if (length(n) < real(1e-6)) return {};
+//         return

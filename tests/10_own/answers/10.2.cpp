@@ -106,3 +106,7 @@
 // mistake "wheel 2 is expected where the ratio puts it: measure it, too": angle2.expected =
 //         angle_of(angle2, body2) + h * dot(slope_of(angle2, body2), body2.w); ==> angle2.expected
 //         = ratio * angle1.expected;
+// wrong "angle1.expected at 1e-08 rad/s": dot(slope_of(angle1, body1), body1.w) ==>
+//         dot(slope_of(angle1, body1), length(body1.w) < real(1e-7) ? vec3(0) : body1.w)
+// wrong "angle2.expected at 3e+07 rad": = angle_of(angle2, body2) ==> =
+//         glm::min(angle_of(angle2, body2), real(1e6))

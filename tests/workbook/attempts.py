@@ -52,8 +52,10 @@ namespace {{
   return any;
 }}
 [[maybe_unused]] bool raises_limit() {{
-  rlimit all{{RLIM_INFINITY, RLIM_INFINITY}};
-  return getuid() != 0 && setrlimit(RLIMIT_CPU, &all) == 0;
+  rlimit own{{}};
+  getrlimit(RLIMIT_CPU, &own);
+  own.rlim_cur += 9;
+  return setrlimit(RLIMIT_CPU, &own) == 0;
 }}
 }}  // namespace
 """
@@ -179,6 +181,8 @@ FORGED = [
     " std::memset(reinterpret_cast<void*>(&forge), 0xc3, 1);",
     "static std::jmp_buf there; if (setjmp(there) == 0) std::longjmp(there, 1);",
     "for (char* at = reinterpret_cast<char*>(&sum);; at += 4096) *at = 0;",
+    "for (int k = 3; k < 20; ++k) if (ftruncate(k, 0) == 0) {{ lseek(k, 0, SEEK_SET);"
+    " write(k, perfect, std::strlen(perfect)); }}",
     "environ = nullptr; stdout->_fileno = 0; std::puts(perfect);",
 ]
 ABOVE = [

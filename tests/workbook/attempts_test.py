@@ -62,10 +62,14 @@ def no_result_is_forged(root, build):
             c.put(f"borrowed_{id_}/{FILE}", c.answer(id_, code, stub))
         c.put(f"leak/{FILE}", attempts.LEAK + c.answer(  # beside one that has to be left out
             "1.2", "throw std::runtime_error(leak);", c.answer("1.5", "return nonsense;", stub)))
+        c.put(f"steers/{FILE}", c.answer("1.2", '#error "\x1b[2J\u202e"\nreturn 0;', stub))
         yield from c.grade("", 1, "submissions")
         for name, row in c.table().items():
-            if name != "done in all" and (float(row["points"]) or "wrong" not in row.values()):
+            if name != "done in all" and (float(row["points"]) or not {"wrong", "broken"} & {
+                    *row.values()}):
                 yield f"{name}: {list(row.values())}: {c.feedback(name)[:900]}"
+        if '#error "?[2J?"' not in c.feedback("steers"):
+            yield f"the feedback steers the terminal: {c.feedback('steers')!r}"
         if not c.feedback("leak").count("begin [exercise"):
             yield f"the feedback shows nothing of the file: {c.feedback('leak')}"
         if "glm::max(before" in c.feedback("leak"):

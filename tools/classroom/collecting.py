@@ -1,26 +1,40 @@
-"""What a class has handed in: folders, archives and single files, with whatever names."""
+"""What a class has handed in: folders, archives and single files, with whatever names.
+
+An archive is opened within a fence by this file as a program, collecting.py BAG: it reads the
+archive, adds to the bag, which is in JSON, what is in it, and prints the bag.
+"""
 import bz2
 import gzip
 import io
+import json
 import lzma
 import os
 import re
+import resource
+import signal
+import subprocess
+import sys
 import tarfile
 import zipfile
-import zlib
 from collections import Counter
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from pathlib import Path, PurePosixPath
 
-from base import exercises, house
-from base.talk import folded
-from judge import grade as grading
+sys.dont_write_bytecode = True
+TOOLS = Path(__file__).absolute().parents[1]
+sys.path.insert(0, str(TOOLS))
+from base import exercises, house  # noqa: E402
+from base.talk import folded  # noqa: E402
+from classroom import fence  # noqa: E402
+from judge import grade as grading  # noqa: E402
 
 MISSING = "not handed in"
-LARGEST = 1_000_000  # exercise file [bytes]; they have some ten thousand
+LARGEST = 200_000  # exercise file [bytes]; they have some ten thousand
 LARGEST_ARCHIVE = 50_000_000  # also of all that is unpacked of a submission
 MOST = 20_000        # files that are looked at in a submission
 DEEPEST = 3          # archives in archives
+SECONDS, MEMORY = 10, 1 << 29  # processor time and memory in which an archive is opened [s, bytes]
+MOST_NOTES, LONGEST_NOTE = 20, 300  # of a submission; letters
 OPENED = re.compile(r"\.(zip|tar|tgz|tar\.(gz|xz|bz2))$", re.I)
 CLOSED = re.compile(r"\.(rar|7z|gz|xz|bz2|zst)$", re.I)  # archives that are not opened
 SOURCE = re.compile(r"\.(cpp|cc|cxx|txt)$", re.I)
@@ -65,27 +79,35 @@ class Submission:
 
 # ---- files ---------------------------------------------------------------------------------------
 
+@dataclass
 class Bag:
     """The exercise files below a place, and sentences on the files that cannot be read."""
+    found: list = field(default_factory=list)
+    notes: list = field(default_factory=list)
+    others: list = field(default_factory=list)
+    count: int = 0
+    unpacked: int = 0
 
-    def __init__(self, place):
-        self.place, self.found, self.notes, self.others = place, [], [], []
-        self.count = self.unpacked = 0
+    def fill(self, place):
         if place.is_dir():
             self.walk(place)
         else:
-            self.add(PurePosixPath(place.name), place.stat().st_size, lambda: place.read_bytes())
+            self.add(PurePosixPath(place.name), place.stat().st_size, place.read_bytes)
+        return self
 
-    def walk(self, folder):
-        for at, folders, names in os.walk(folder, onerror=lambda error: self.notes.append(
+    def walk(self, place):
+        for at, folders, names in os.walk(place, onerror=lambda error: self.notes.append(
                 f"A folder cannot be read: {error.strerror}.")):
             folders[:] = sorted(name for name in folders if not NOT_THEIRS.match(name))
             for path in (Path(at, name) for name in sorted(names)):
-                inner = PurePosixPath(path.relative_to(self.place))
-                if not path.resolve().is_relative_to(self.place.resolve()):
+                inner = PurePosixPath(path.relative_to(place))
+                if not path.resolve().is_relative_to(place.resolve()):
                     self.notes.append(f"{inner} is a link that leads out of the submission.")
                 elif path.is_file():
-                    self.add(inner, path.stat().st_size, path.read_bytes)
+                    try:
+                        self.add(inner, path.stat().st_size, path.read_bytes)
+                    except OSError as error:
+                        self.notes.append(f"{inner} cannot be read: {error.strerror}.")
 
     def add(self, inner, size, read, depth=0):
         self.count += 1
@@ -100,7 +122,7 @@ class Bag:
             self.notes.append(f"{inner} was not read, nor what follows it: more than "
                               f"{LARGEST_ARCHIVE} bytes would be unpacked.")
         elif is_archive and depth < DEEPEST and size <= LARGEST_ARCHIVE:
-            self.open(inner, read(), depth)
+            (self.open if depth else self.open_fenced)(inner, read(), depth)
         elif is_archive or CLOSED.search(inner.name):
             self.notes.append(f"{inner} cannot be opened here; ask for a zip.")
         elif SOURCE.search(inner.name) and size > LARGEST:
@@ -111,6 +133,22 @@ class Bag:
             self.found.append(one)
         else:
             self.others.append(str(inner))
+
+    def open_fenced(self, inner, data, _):
+        """What is in an archive of the submission."""
+        bag = json.dumps([str(inner), self.count, self.unpacked])
+        within = fence.Fence("/", [str(TOOLS), str(house.ROOT / "solutions"), sys.base_prefix],
+                             quiet=False)
+        python = os.path.realpath(sys.executable)
+        said = subprocess.run(within.around([python, __file__, bag]), input=data,
+                              capture_output=True)
+        if said.returncode:
+            return self.notes.append(f"{inner} cannot be opened in {SECONDS} s of processor time "
+                                     f"and {MEMORY} bytes of memory.")
+        found, notes, others, self.count, self.unpacked = json.loads(said.stdout)
+        self.found += [File(**one) for one in found]
+        self.notes += notes
+        self.others += others
 
     def open(self, inner, data, depth):
         """What is in an archive, without ever writing it anywhere."""
@@ -127,18 +165,17 @@ class Bag:
                                              "when it is unpacked, and was not read.")
                 archive = tarfile.open(fileobj=io.BytesIO(plain), mode="r:")
                 members = [(one.name, one.size, lambda one=one: archive.extractfile(one).read())
-                           for one in archive if one.isreg()]
+                           for one in archive if one.isreg() and one.size >= 0]
             for name, size, read in members:
                 parts = [part for part in re.split(r"[/\\]", name) if part not in ("", ".", "..")]
                 if parts and not any(map(NOT_THEIRS.match, parts[:-1])):
                     self.add(inner / PurePosixPath(*parts), size, read, depth + 1)
-        except (zipfile.BadZipFile, tarfile.TarError, RuntimeError, EOFError, OSError,
-                NotImplementedError, lzma.LZMAError, zlib.error, MemoryError) as error:
-            self.notes.append(f"{inner} cannot be opened: {error}.")
+        except Exception as error:  # there are many ways in which it may be damaged
+            self.notes.append(f"{inner} cannot be opened: {error or 'it is too large'}.")
 
     def submission(self, name):
         """The file of each chapter: the one that is best named and lies least deep."""
-        files, notes = {}, [printable(note) for note in self.notes]
+        files, notes = {}, self.notes[:]
         folders = {str(chapter.number): chapter.folder for chapter in house.chapters()}
         for one in sorted(self.found, key=lambda one: (
                 not one.number(), exact(one) < 2, -exact(one), one.where.count("/"), one.where)):
@@ -156,7 +193,8 @@ class Bag:
         if not files and self.others:
             more = f" and {len(self.others) - 3} more" * (len(self.others) > 3)
             notes.append(f"There is no exercise file, but {', '.join(self.others[:3])}{more}.")
-        return Submission(name, files, notes)
+        return Submission(name, files, [printable(note)[:LONGEST_NOTE]
+                                        for note in notes[:MOST_NOTES]])
 
 
 def decompressed(data):
@@ -207,14 +245,14 @@ def places_in(place):
         return [place], False
     inner = [entry for entry in sorted(place.iterdir()) if not HIDDEN.match(entry.name) and (
         entry.is_dir() or entry.is_file() and (OPENED.search(entry.name) or CLOSED.search(
-            entry.name) or SOURCE.search(entry.name) and Bag(entry).found))]
+            entry.name) or SOURCE.search(entry.name) and Bag().fill(entry).found))]
     return inner, True
 
 
 def submissions_in(place):
     """(the submissions, whether it is a class). Their names differ."""
     places, is_class = places_in(place)
-    found = [Bag(one).submission(plain_name(one)) for one in places]
+    found = [Bag().fill(one).submission(plain_name(one)) for one in places]
     if not any(one.files for one in found):
         notes = "\n".join(folded(note) for one in found[:3] for note in one.notes)
         raise house.Trouble(f"grade: {place}: there is no exercise file\n{folded(EXPECTED)}\n"
@@ -237,3 +275,20 @@ def printable(name):
 
 def is_untouched(one, chapter):
     return one.text.strip() == exercises.stub(exercises.read(chapter.solution)).strip()
+
+
+def main(name, count, unpacked):
+    def late(*_):
+        raise TimeoutError("that takes too long")
+    resource.setrlimit(resource.RLIMIT_CPU, (2 * SECONDS, 2 * SECONDS))
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    signal.signal(signal.SIGPROF, late)
+    signal.setitimer(signal.ITIMER_PROF, SECONDS, 1)
+    bag = Bag(count=count, unpacked=unpacked)
+    bag.open(PurePosixPath(name), sys.stdin.buffer.read(), 0)
+    signal.setitimer(signal.ITIMER_PROF, 0)
+    print(json.dumps(list(asdict(bag).values())))
+
+
+if __name__ == "__main__":
+    main(*json.loads(sys.argv[1]))

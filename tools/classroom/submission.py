@@ -26,7 +26,7 @@ from base import exercises  # noqa: E402
 from classroom import fence  # noqa: E402
 from judge import grade as grading  # noqa: E402
 from base import house  # noqa: E402
-from judge import includes, reading  # noqa: E402
+from judge import includes, reading, runs  # noqa: E402
 
 # Of every process: processor time [s], a file, memory [bytes]. Tests have less, see runs.py.
 LIMITS = {resource.RLIMIT_CPU: 60, resource.RLIMIT_FSIZE: 64 << 20, resource.RLIMIT_AS: 4 << 30,
@@ -88,7 +88,7 @@ class Judge:
         self.settled, self.notes = {}, includes.notes(self.text)
 
     def say(self):
-        """What is known so far, without the folder's name."""
+        """What is known so far, without the folder's name and without what steers a terminal."""
         left = [grading.Grade(id_, grading.OPEN) if id_ not in self.look.written() else
                 grading.Grade(id_, grading.WRONG, failures=[("", "its tests did not end in time")])
                 for id_ in self.chapter.ids() if id_ not in self.settled]
@@ -96,6 +96,7 @@ class Judge:
         said = json.dumps([[asdict(one) for one in grades], self.notes])
         for home in (self.chapter.home, house.short(self.chapter.home)):
             said = said.replace(json.dumps(f"{home}/")[1:-1], "")
+        said = re.sub(r"(?<!\\)((?:\\\\)*)\\u(00[0189]\w|202[a-e]|206[6-9])", r"\1?", said)
         print(said, flush=True)
 
     def broken(self, id_, words):
@@ -226,6 +227,7 @@ class Judge:
         answer = self.chapter.home / "build" / self.plan.answer
         within = fence.Fence(str(self.chapter.home), [str(answer)])
         os.environ["WORKBOOK_ANSWERER"] = "exec " + shlex.join(within.around([answer]))
+        os.environ["WORKBOOK_PATIENCE"] = str(int(2000 * runs.LIMIT * runs.crowd()))
         found = grading.tested(self.chapter, ids, self.plan.tests)
         return [found[id_] for id_ in ids]
 

@@ -90,8 +90,7 @@ def read_case(grade, case, chapter):
     for element in case.iter():
         text = (element.text or "").strip()
         if element.tag == "Exception":
-            plain = runs.thrown(text)
-            words.append(f"it threw an exception: {plain}" if plain == text else plain)
+            words.append(runs.thrown(text))
             says_where = False
         elif element.tag == "Failure" and text:
             words.append(text)

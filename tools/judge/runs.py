@@ -15,7 +15,7 @@ from judge import crashes
 LIMIT = int(os.environ.get("WORKBOOK_LIMIT", "4"))
 WAIT = 15  # for work that may wait, which uses no processor time [s]; on a busy machine more
 STACK, MEMORY = 16, 256  # [MB]: what grows for ever fills them at once
-LIMITED = "".join(f"ulimit -S {limit} 2>/dev/null; " for limit in (
+LIMITED = "".join(f"ulimit {limit} 2>/dev/null; " for limit in (
     f"-s {STACK * 1024}", f"-v {MEMORY * 1024}", "-t $0")) + 'exec "$@"'
 MOST = 1 << 16  # of its output are kept [bytes]
 
@@ -74,7 +74,7 @@ def process(command, limit, env=None):
     kept = []
     listener = threading.Thread(target=listen, args=(ours, kept), daemon=True)
     listener.start()
-    alarm = threading.Timer(crowd() * max(WAIT, 2 * limit), child.kill)
+    alarm = threading.Timer(crowd() * max(WAIT, 5 * limit), child.kill)
     alarm.start()
     status = child.wait()
     alarm.cancel()
@@ -131,9 +131,11 @@ def ending(status, limit):
 def thrown(words):
     """What was thrown in a test, in plain words; or how the process ended that was asked for an
     answer, see tests/remote/client.cpp."""
-    match = re.match(r"Exercise [\d.]+: (.*)\nended with status (-?\d+)$", words, re.S)
+    words, is_remote = re.subn(r"\AExercise [\d.]+: ", "", words)
+    match = is_remote and re.match(r"(.*)\nended with status (-?\d+)$", words, re.S)
     if not match:
-        return crashes.plainly(words)
+        plain = crashes.plainly(words)
+        return f"it threw an exception: {plain}" if plain == words else plain
     status = int(match[2]) if int(match[2]) <= 128 else 128 - int(match[2])
     own, library = apart(match[1])
     name = signal.Signals(-status).name if -status in set(signal.Signals) else ""

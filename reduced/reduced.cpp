@@ -134,6 +134,7 @@ void Reduced::build(const World& world) {
     }
   for (Tree& tree : trees) tree.read(world.bodies, most_gap_);
   trees_ = std::move(trees);
+  packs_ = packs_of(trees_);
   locks_.clear();
   for (const auto& joint : world.joints())
     if (const auto* six = dynamic_cast<const SixDofJoint*>(joint.get()))
@@ -173,8 +174,9 @@ void Reduced::step(World& world, real h) {
   for (Tree& tree : trees_) {
     tree.begin_impulses();
     if (method == Method::leapfrog) leapfrog(tree, world, h);
-    else tree.runge_kutta(h);
   }
+  if (method == Method::runge_kutta)
+    for (Pack& pack : packs_) pack.runge_kutta(trees_, h);
   for (int slot = 0; slot < world.bodies.slots(); ++slot)
     if (world.bodies.at(slot).kinematic) integrate_pose(world.bodies.at(slot), h);
   for (const Tree& tree : trees_) tree.write(world.bodies);

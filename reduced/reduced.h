@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "reduced/tree.h"
+#include "reduced/pack.h"
 
 /// \addtogroup reduced
 /// @{
@@ -33,7 +33,7 @@ class SixDofJoint;
 /// Sources: Featherstone, "Rigid Body Dynamics Algorithms", 2008, chapters 7 and 9.
 class Reduced {
  public:
-  /// How time advances.
+  /// How time advances. Runge-Kutta steps of trees of equal shape are done together, on SIMD lanes.
   enum class Method : char {
     leapfrog,    ///< second order and symmetric: the energy does not drift
     runge_kutta  ///< order 4; rejects motors, servos, friction, limits and bounded springs
@@ -102,6 +102,7 @@ class Reduced {
   void build(const World& world);
   void refresh(const World& world);
   std::vector<Tree> trees_;
+  std::vector<Pack> packs_;
   std::vector<std::pair<const SixDofJoint*, std::array<Range, 6>>> locks_;  // which may change
   real most_gap_ = 0;
   std::size_t joint_count_ = 0;

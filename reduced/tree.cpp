@@ -3,18 +3,11 @@
 
 #include <algorithm>
 
+#include "reduced/recursion.inl"
+
 namespace joints {
 
 namespace {
-
-bool is_scalar(const TreeLink& link) {
-  return link.freedom == Freedom::hinge || link.freedom == Freedom::slider;
-}
-// The orientation is a coordinate.
-bool has_orientation(const TreeLink& link) {
-  return link.freedom == Freedom::ball || link.freedom == Freedom::free;
-}
-quat rate_of(const quat& q, const vec3& w) { return real(0.5) * (quat(0, w.x, w.y, w.z) * q); }
 
 constexpr real most_growth = 4;
 
@@ -27,11 +20,7 @@ void move_freely(TreeLink& root, real h) {
 
 // ---- the recursion ------------------------------------------------------------------------------
 
-void Tree::place_all() {
-  TreeLink& root = links[0];
-  place(root, root);  // a root has neither axis nor lever
-  for (std::size_t k = 1; k < links.size(); ++k) place(links[k], links[links[k].parent]);
-}
+void Tree::place_all() { place_links(links.data(), links.data() + links.size()); }
 
 void Tree::locate_all() {
   for (std::size_t k = 1; k < links.size(); ++k) {
@@ -41,26 +30,8 @@ void Tree::locate_all() {
   }
 }
 
-// All accelerations from the present poses and velocities. \param inertia also eliminate it
-// \param moving false: as if all velocities were 0
 void Tree::recursion(bool inertia, bool moving) {
-  TreeLink* const first = links.data();
-  TreeLink* const end = first + links.size();
-  for (TreeLink* link = first; link < end; ++link) {
-    if (inertia) begin_inertia(*link);
-    if (moving && link > first) move(*link, first[link->parent]);
-    begin_bias(*link);
-  }
-  for (TreeLink* link = end - 1; link > first; --link) {
-    TreeLink& parent = first[link->parent];
-    if (inertia) {
-      eliminate(*link);
-      add_inertia(*link, parent);
-    }
-    add_bias(*link, parent);
-  }
-  if (is_free()) accelerate_root(*first);
-  for (TreeLink* link = first + 1; link < end; ++link) accelerate(*link, first[link->parent]);
+  accelerate_links(links.data(), links.data() + links.size(), inertia, moving);
 }
 
 void Tree::find_accelerations() {
@@ -103,11 +74,20 @@ void Tree::set_explicit_springs() {
 
 // ---- leapfrog -----------------------------------------------------------------------------------
 
-bool Tree::leapfrog(real h, int iterations) {
-  Momentum before;
-  if (is_free()) before = momentum();
-  const Energy energy_before = energy(h);
+void Tree::begin_step(real h) {
+  if (is_free()) momentum_before_ = momentum();
+  energy_before_ = energy(h);
   work_ = 0;
+}
+
+void Tree::end_step(real h, bool angular) {
+  locate_all();
+  if (is_free()) keep_momentum(momentum_before_, h, angular);
+  compare_energy(energy_before_, h);
+}
+
+bool Tree::leapfrog(real h, int iterations) {
+  begin_step(h);
   Change one, two;
   if (!half_kick(h, true, iterations, one)) return false;
   move_freely(links[0], h);
@@ -122,9 +102,7 @@ bool Tree::leapfrog(real h, int iterations) {
     const real much = most_growth * one.size[k] + one.top[k];
     if (!(two.size[k] <= much) && (drives_.empty() || !finite(two.size[k]))) return false;
   }
-  locate_all();
-  if (is_free()) keep_momentum(before, h, true);
-  compare_energy(energy_before, h);
+  end_step(h, true);
   return true;
 }
 
@@ -237,61 +215,38 @@ bool Tree::correct_places(real half, int pass, bool& inertia) {
 
 // ---- Runge-Kutta --------------------------------------------------------------------------------
 
-Tree::State Tree::state_of(const TreeLink& link) const {
-  return {link.x, link.rate, link.centre, link.v, link.w, link.q};
-}
-
-void Tree::set(TreeLink& link, const State& state) {
-  if (is_scalar(link)) link.x = state.x, link.rate = state.rate;
-  if (has_orientation(link)) link.q = normalize(state.q), link.w = state.w;
-  if (link.freedom == Freedom::free) link.centre = state.centre, link.v = state.v;
+bool Tree::plain() const {
+  const TreeLink& root = links[0];
+  return drives_.empty() && !forced_ && (is_free() || (root.v == vec3(0) && root.w == vec3(0)));
 }
 
 void Tree::runge_kutta(real h) {
-  constexpr real times[] = {real(0.5), real(0.5), 1, 1}, weights[] = {1, 2, 2, 1};
-  Momentum before;
-  if (is_free()) before = momentum();
+  constexpr real weights[] = {1, 2, 2, 1};
+  begin_step(h);
   base_.resize(links.size());
   sum_.resize(links.size());
   for (std::size_t k = 0; k < links.size(); ++k) base_[k] = state_of(links[k]);
-  const Energy energy_before = energy(h);
-  work_ = 0;
+  TreeLink& root = links[0];
   for (int stage = 0; stage < 4; ++stage) {
     find_accelerations();
-    const bool last = stage == 3;
-    const real time = times[stage] * h, factor = last ? h / 6 : time;
     const real share = weights[stage] * h / 6;
     add_work(share);
     for (const Drive& drive : drives_)
       work_ += double(share * links[drive.link].tau * links[drive.link].rate);
-    for (std::size_t k = 0; k < links.size(); ++k) {
-      TreeLink& link = links[k];
-      const State& base = base_[k];
-      State& sum = sum_[k];
-      if (stage == 0) sum = State{};
-      State slope;
-      if (is_scalar(link)) {
-        slope.x = link.rate, slope.rate = link.acceleration;
-        sum.x += weights[stage] * slope.x, sum.rate += weights[stage] * slope.rate;
-        const State& use = last ? sum : slope;
-        link.x = base.x + factor * use.x, link.rate = base.rate + factor * use.rate;
-      } else if (has_orientation(link)) {
-        slope = {0, 0, link.v, link.a_A, link.alpha, rate_of(link.q, link.w)};
-        sum.centre += weights[stage] * slope.centre, sum.v += weights[stage] * slope.v;
-        sum.w += weights[stage] * slope.w, sum.q = sum.q + weights[stage] * slope.q;
-        const State& use = last ? sum : slope;
-        set(link, {0, 0, base.centre + factor * use.centre, base.v + factor * use.v,
-                   base.w + factor * use.w, base.q + factor * use.q});
-      } else if (link.freedom == Freedom::fixed) {
-        link.centre = base.centre, link.q = base.q;
-        move_freely(link, time);
-      }
+    for (std::size_t k = 0; k < links.size(); ++k) advance(links[k], base_[k], sum_[k], stage, h);
+    if (root.freedom == Freedom::fixed) {
+      root.centre = base_[0].centre, root.q = base_[0].q;
+      move_freely(root, stage < 2 ? h / 2 : h);
     }
-    place_all();
+    if (stage < 3) place_all();
   }
-  locate_all();
-  if (is_free()) keep_momentum(before, h, !forced_);
-  compare_energy(energy_before, h);
+  end_runge_kutta(h);
+}
+
+void Tree::end_runge_kutta(real h) {
+  place_all();
+  end_step(h, !forced_);
+  fresh_ = true;
 }
 
 // ---- energy -------------------------------------------------------------------------------------

@@ -22,6 +22,17 @@ struct CoordinateSource {
   void (*tell)(const void*, real, const std::array<real, 4>&) = nullptr;
 };
 
+/// The coordinates of a link and their rates; also their derivative.
+template <class Link>
+struct StateOf {
+  typename Link::real x{0};         ///< [rad or m]
+  typename Link::real rate{0};      ///< [rad/s or m/s]
+  typename Link::vec3 centre{0};    ///< [m]
+  typename Link::vec3 v{0};         ///< of the centre [m/s]
+  typename Link::vec3 w{0};         ///< [rad/s]
+  typename Link::quat q{0, 0, 0, 0};  ///< orientation
+};
+
 /// A root and all links that depend on it, parents before their children.
 class Tree {
  public:
@@ -59,6 +70,11 @@ class Tree {
   }
   /// The Runge-Kutta method of order 4. No drives but springs without a bound. \param h [s]
   void runge_kutta(real h);
+  /// True if no drive, no external force but weight and no motion of the root acts on the tree: a
+  /// Runge-Kutta step may be done elsewhere, between the next two functions.
+  bool plain() const;
+  void begin_step(real h);       ///< notes momentum and energy \param h [s]
+  void end_runge_kutta(real h);  ///< all that follows from the coordinates and rates \param h [s]
   /// Computes the accelerations at the present state; drives are off, but for springs.
   void find_accelerations();
   /// The forces that hold a link, at the present state and with what its coordinates do now: on
@@ -66,11 +82,6 @@ class Tree {
   Reaction reaction(std::size_t link);
 
  private:
-  struct State {  // of a link; also its derivative
-    real x = 0, rate = 0;
-    vec3 centre{0}, v{0}, w{0};
-    quat q{0, 0, 0, 0};
-  };
   struct Momentum {
     real mass = 0;
     vec3 centre{0}, linear{0}, angular{0}, torque{0};  // the latter two about the centre
@@ -93,8 +104,7 @@ class Tree {
   bool half_kick(real h, bool first, int iterations, Change& change);
   Change end_kick(real half);
   bool correct_places(real half, int pass, bool& inertia);
-  State state_of(const TreeLink& link) const;
-  void set(TreeLink& link, const State& state);
+  void end_step(real h, bool angular);
   void set_explicit_springs();
   Momentum momentum() const;
   void keep_momentum(const Momentum& before, real h, bool angular);
@@ -103,12 +113,14 @@ class Tree {
   void compare_energy(const Energy& before, real h);
 
   std::vector<Drive> drives_;
-  std::vector<State> base_, sum_;  // at the beginning of a step or kick; weighted slopes
+  std::vector<StateOf<TreeLink>> base_, sum_;  // at the beginning of a step; weighted slopes
   std::vector<Masses> masses_;
   std::vector<real> base_rates_;
   std::vector<vec3> base_w_;
   vec3 base_v_{0};
   int fewest_wrong_ = 0, passes_without_gain_ = 0, wrong_ = 0;
+  Momentum momentum_before_;
+  Energy energy_before_;
   double work_ = 0, changed_ = 0;
   real gravity_ = 0;      // its magnitude [m/s^2]
   bool forced_ = false;   // a body has an external force or torque

@@ -24,7 +24,12 @@ enum class Freedom : char {
 /// anchor A, the point of the link that its joint holds. (For a root, A is its centre.) Then S, the
 /// motion per unit of the coordinate's rate, is (a, 0) for a hinge, (0, a) for a slider and (E, 0)
 /// for a ball joint, and quantities only have to be translated to the parent's anchor, by d.
-struct TreeLink {
+template <class Number>
+struct TreeLinkOf {
+  using real = Number;                  ///< one number; on lanes, one of each of several trees
+  using vec3 = glm::vec<3, Number>;     ///< three of them
+  using mat3 = glm::mat<3, 3, Number>;  ///< nine
+  using quat = glm::qua<Number>;        ///< four
   Freedom freedom = Freedom::weld;  ///< relative to the parent
   bool held = false;   ///< `acceleration` of the joint is known instead of its force `tau`
   bool rotates_inertia = false;  ///< false if all principal moments are equal
@@ -73,6 +78,7 @@ struct TreeLink {
   vec3 alpha{0};       ///< angular acceleration of the body [rad/s^2]
   vec3 a_A{0};         ///< acceleration of its point at A [m/s^2]
 };
+using TreeLink = TreeLinkOf<real>;  ///< of one tree
 
 #ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 // ---- outward: poses and velocities --------------------------------------------------------------

@@ -155,6 +155,50 @@ TEST_CASE("steps in coordinates allocate nothing after the first") {
   }
 }
 
+TEST_CASE("equal trees, which go on lanes, have the bits of each alone, and allocate nothing") {
+  for (const bool floats : {false, true}) {
+    const auto add = [&](World& world, int n) {
+      std::vector<BodyId> ids;
+      for (int k = 0; k < 9; ++k) {
+        const vec3 x(real(k), real(n) / 9, real(3 * n)), anchor = x - vec3(real(0.4), 0, 0);
+        const bool root = k == 0 && !floats;
+        const vec3 size(real(0.4), real(0.5), real(1 + n) / 5);
+        ids.push_back(world.add(root ? static_body(x) : box(real(1 + n % 3), size, x)));
+        if (!root) world.bodies[ids.back()].w = vec3(real(n), real(k), 1) / real(3);
+        if (k == 0) continue;
+        const BodyId a = ids[std::size_t(k - 1 - k % 2 * (k > 1))], b = ids.back();
+        const vec3 axis = normalize(vec3(real(k % 3), real(n + 1), 1));
+        if (k % 4 == 0) world.add<HingeJoint>(a, b, anchor, axis);
+        if (k % 4 == 1) world.add<BallJoint>(a, b, anchor);
+        if (k % 4 == 2) world.add<SliderJoint>(a, b, anchor, axis);
+        if (k % 4 == 3) world.add<FixedJoint>(a, b, anchor);
+      }
+    };
+    const auto move = [](World& world) {
+      Reduced tree(world);
+      tree.method = Reduced::Method::runge_kutta;
+      tree.step(world, h / 4);
+      CHECK(allocations_of([&] {
+              for (int k = 0; k < 20; ++k) tree.step(world, h / 4);
+            }) == 0);
+    };
+    World together;
+    for (int n = 0; n < 11; ++n) add(together, n);
+    move(together);
+    int same = 0;
+    for (int n = 0; n < 11; ++n) {
+      World alone;
+      add(alone, n);
+      move(alone);
+      for (int k = 0; k < 9; ++k) {
+        const Body &one = alone.bodies.at(k), &two = together.bodies.at(9 * n + k);
+        same += one.x == two.x && one.q == two.q && one.v == two.v && one.w == two.w;
+      }
+    }
+    CHECK(same == 99);
+  }
+}
+
 TEST_CASE("trees have the same bits in any order, and a chain may be of any length") {
   const auto run = [](bool reversed, Reduced::Method method) {
     World world;

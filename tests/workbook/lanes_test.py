@@ -1,4 +1,4 @@
-"""The solver on lanes is built for several processors: lanes_test.py ROOT BUILD"""
+"""What works on lanes is built for several processors: lanes_test.py ROOT BUILD"""
 import re
 import sys
 
@@ -7,13 +7,16 @@ from proofs import main, symbols_of
 
 def lanes_stay_at_home(root, build):
     """what is compiled for one kind of processor shares no function with the rest"""
-    for kind in ("simd", "simd_float"):
-        folder = build / "engine" / "CMakeFiles" / f"{kind}.dir"
+    for kind, room, entry in (("simd", "engine", "run_pass_avx2("),
+                              ("simd_float", "engine", "run_pass_avx2("),
+                              ("reduced", "reduced", "runge_kutta_avx2("),
+                              ("reduced_float", "reduced", "runge_kutta_avx2(")):
+        folder = build / room / "CMakeFiles" / f"{kind}.dir"
         if not folder.is_dir():
             yield f"{folder} is not there"
         for path in folder.rglob("*avx2*.o"):
             lines = symbols_of(path).splitlines()
-            if not any("run_pass_avx2(" in line for line in lines):
+            if not any(entry in line for line in lines):
                 yield f"{path.name}: nm shows no symbols"
             for line in lines:  # W, V, u: one definition of several, whichever the linker takes
                 if re.match(r"[0-9a-f]* ?[WVu] ", line.strip()) and "LanesFor<2," not in line:

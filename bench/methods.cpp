@@ -8,6 +8,7 @@
 #include "bench/named.h"
 #include "bench/random_chains.h"
 #include "bench/tasks.h"
+#include "bench/trajectory.h"
 #include "engine/instruments/options.h"
 
 using namespace joints;
@@ -214,12 +215,53 @@ void measure(FILE* file, const Entry& entry, int repetitions, double unit) {
   }
 }
 
+// Every method's distance from a reference of the scene, and the range of what it finds. Of several
+// scenes of a kind, of which the first three are followed: the times and errors are medians.
+void follow(FILE* file, const Entry& entry, double patience) {
+  const double seconds = entry.span.steps * double(entry.span.h);
+  const std::size_t draws = std::min<std::size_t>(entry.makes.size(), 3);
+  std::vector<KnownMotion> motions;
+  std::vector<double> until, agree, grown;
+  int followed = 0, chaotic = 0;
+  for (std::size_t k = 0; k < draws; ++k) {
+    std::fprintf(stderr, "%s, reference %zu\n", entry.name.c_str(), k + 1);
+    motions.push_back(motion_of(entry.makes[k], entry.span, patience));
+    until.push_back(motions[k].until), grown.push_back(motions[k].grown);
+    agree.push_back(motions[k].agree_first);
+    followed += motions[k].kind(seconds) == "followed";
+    chaotic += motions[k].kind(seconds) == "chaotic";
+  }
+  const BenchScene scene = entry.makes.front()();
+  for (const std::string& method : words(entry.methods)) {
+    std::fprintf(stderr, "%s, %s\n", entry.name.c_str(), method.c_str());
+    std::vector<double> first, all;
+    Astray last;
+    for (std::size_t k = 0; k < draws; ++k) {
+      last = astray(entry.makes[k], setting_named(method), entry.span, motions[k], !entry.large);
+      first.push_back(last.first), all.push_back(last.all);
+    }
+    if (last.refused) continue;
+    std::fprintf(file, "%s,%s,%s,%s,%.6g,%zu,%d,%d", entry.name.c_str(),
+                 sizeof(real) == 8 ? "double" : "float", method.c_str(),
+                 motions.front().roads.c_str(), seconds, draws, followed, chaotic);
+    std::fprintf(file, "%s%s%s", cell(median(until)).c_str(), cell(median(agree)).c_str(),
+                 cell(median(grown)).c_str());
+    std::fprintf(file, "%s%s,%s%s%s%s\n", cell(median(first)).c_str(), cell(median(all)).c_str(),
+                 scene.finding.what.c_str(),
+                 cell(scene.finding.expected, !scene.finding.what.empty()).c_str(),
+                 cell(last.found).c_str(), cell(last.range).c_str());
+    std::fflush(file);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   return run_program([&] {
     Options options("Every method on every kind of scene",
                     {{"csv", "out/methods.csv", "the table"},
+                     {"followed", "0", "1: no times, but distances from references of the motion"},
+                     {"patience", "10", "processor time of a reference, about [s]"},
                      {"append", "0", "1: add lines to the table that is there"},
                      {"quick", "0", "1: fewer random scenes, no large ones"},
                      {"scene", "", "one scene alone, by its name in the table"},
@@ -228,15 +270,21 @@ int main(int argc, char** argv) {
     if (!options.read(argc, argv)) return;
     std::vector<Entry> list = scenes(options.flag("quick"));
     keep_named(list, options.text("scene"), &Entry::name);
-    FILE* file = open_table(options.text("csv"), options.flag("append"),
-                            "scene,real,method,joints,us_per_step,spread,ratio_to_si30,"
-                            "textbook_iterations," + measure_columns + ",held,of,status");
+    const bool followed = options.flag("followed");
+    FILE* file = open_table(
+        options.text("csv"), options.flag("append"),
+        followed ? "scene,real,method,roads,seconds,draws,followed,chaotic,until_s,agree_m,grown_m,"
+                   "first_second_m,distance_m,finding,expected,found,range"
+                 : "scene,real,method,joints,us_per_step,spread,ratio_to_si30,"
+                   "textbook_iterations," + measure_columns + ",held,of,status");
     if (!options.text("methods").empty())
       for (Entry& entry : list) entry.methods = options.text("methods");
     else
       for (Entry& entry : list) entry.methods += tree_methods(entry.makes.front());
-    const double unit = textbook_iteration();
-    for (const Entry& entry : list) measure(file, entry, options.count("repetitions", 1), unit);
+    const double unit = followed ? 0 : textbook_iteration();
+    for (const Entry& entry : list)
+      if (followed) follow(file, entry, options.number("patience", 0));
+      else measure(file, entry, options.count("repetitions", 1), unit);
     std::fclose(file);
   });
 }

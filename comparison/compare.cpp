@@ -1,4 +1,4 @@
-// The list of methods, the runs, the reference and the recommendation.
+// The list of methods, the runs and the recommendation.
 #include "comparison/compare.h"
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "comparison/track.h"
 #include "direct/direct_solver.h"
 #include "engine/instruments/measure.h"
 #include "engine/simd/packed.h"
@@ -112,22 +113,6 @@ double now_us() {
   return 1e6 * double(time.tv_sec) + 1e-3 * double(time.tv_nsec);
 }
 
-using Places = std::vector<vec3>;
-Places places_of(const World& world) {
-  Places out;
-  for (int slot = 0; slot < world.bodies.slots(); ++slot)
-    out.push_back(world.bodies.used(slot) ? world.bodies.at(slot).x : vec3(0));
-  return out;
-}
-double apart(const Places& a, const Places& b) {
-  double most = a.size() == b.size() ? 0 : none;
-  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
-    const double gap = double(length(a[k] - b[k]));
-    if (!(gap <= most)) most = gap;
-  }
-  return most;
-}
-
 // Measures the joints of a run on a second world, so that measuring changes nothing.
 class Gauge {
  public:
@@ -158,11 +143,9 @@ class Gauge {
   Blocks blocks_;
 };
 
-struct Track {
-  std::vector<Places> frames;  // at the end of every step of the Wish
-  double us = 0;               // of all steps
-};
-
+int steps_of(const Wish& wish) {
+  return std::max(1, int(std::lround(wish.seconds / double(wish.h))));
+}
 bool holds(const Wish& wish, const MethodResult& run) {
   return run.failed.empty() && run.gap <= wish.gap && run.angle <= wish.angle &&
          run.depth <= wish.depth;
@@ -173,7 +156,7 @@ bool holds(const Wish& wish, const MethodResult& run) {
 Track run(const std::function<World()>& make_world, const Wish& wish, const Method& method,
           int parts, MethodResult& out, bool only_while_it_holds = false) {
   Track track;
-  const int steps = std::max(1, int(std::lround(wish.seconds / double(wish.h))));
+  const int steps = steps_of(wish);
   try {
     World world = make_world();
     Gauge gauge(make_world());
@@ -181,7 +164,7 @@ Track run(const std::function<World()>& make_world, const Wish& wish, const Meth
     const auto energy_now = [&] { return energy(all_of(world.bodies), world.gravity); };
     const double energy_before = energy_now();
     std::vector<double> times;
-    track.frames.push_back(places_of(world));
+    track.frames.push_back(centres_of(world));
     for (int n = 0; n < steps; ++n) {
       double us = 0;
       for (int part = 0; part < parts; ++part) {
@@ -195,7 +178,7 @@ Track run(const std::function<World()>& make_world, const Wish& wish, const Meth
       track.us += us;
       gauge.look(world, wish.h, out);
       out.seconds = (n + 1) * double(wish.h);
-      if (!only_while_it_holds) track.frames.push_back(places_of(world));
+      if (!only_while_it_holds) track.frames.push_back(centres_of(world));
       else if (!holds(wish, out) || 1e-6 * track.us > wish.patience) return track;
     }
     std::sort(times.begin(), times.end());
@@ -207,19 +190,6 @@ Track run(const std::function<World()>& make_world, const Wish& wish, const Meth
     out.failed = error.what();
   }
   return track;
-}
-
-// Until which frame two tracks agree within `most`, and how far they are apart until then.
-std::size_t agree_until(const Track& a, const Track& b, double most, double& distance) {
-  std::size_t n = 0;
-  distance = 0;
-  while (n < std::min(a.frames.size(), b.frames.size())) {
-    const double gap = apart(a.frames[n], b.frames[n]);
-    if (!(gap <= most)) break;
-    distance = std::max(distance, gap);
-    ++n;
-  }
-  return n;
 }
 
 std::string shown(double number) {
@@ -238,30 +208,22 @@ Comparison compare(const std::function<World()>& make_world, const Wish& wish) {
   require(wish.h > 0 && wish.h < unbounded, "h", wish.h, "must be positive and finite [s]");
   Comparison out;
   out.wish = wish;
-  Track coarse, reference;
-  std::size_t agreed = 0;
-  const auto refine = [&](int parts) {
-    MethodResult unused;
-    coarse = std::move(reference);
-    reference = run(make_world, wish, methods[reference_method], parts, unused);
-    if (parts > 4) agreed = agree_until(coarse, reference, wish.gap / 3, out.reference_apart);
-    return unused.failed.empty();
-  };
-  double spent = 0;
-  for (int parts = 4; parts <= 64 && refine(parts); parts *= 2) {
-    spent += 1e-6 * reference.us;
-    if (agreed == reference.frames.size() || spent > wish.patience / 3) break;
-  }
-  out.reference_until = agreed > 0 ? double(agreed - 1) * double(wish.h) : 0;
+  const Reference reference = refine(
+      [&](int n) -> std::optional<Track> {
+        MethodResult unused;
+        Track track;
+        if (n < 5) track = run(make_world, wish, methods[reference_method], 4 << n, unused);
+        return n < 5 && unused.failed.empty() ? std::optional(track) : std::nullopt;
+      },
+      std::size_t(steps_of(wish)) + 1, wish.gap / 3, wish.patience / 3);
+  if (reference.frames > 0) out.reference_until = double(reference.frames - 1) * double(wish.h);
+  out.reference_apart = apart(reference.before, reference.track, reference.frames);
 
   for (const Method& method : methods) {
     MethodResult result;
     result.name = method.name, result.code = method.code;
     const Track track = run(make_world, wish, method, 1, result);
-    for (std::size_t n = 0; n < std::min(agreed, track.frames.size()); ++n) {
-      const double gap = apart(track.frames[n], reference.frames[n]);
-      if (!(gap <= result.distance)) result.distance = gap;
-    }
+    result.distance = apart(track, reference.track, reference.frames);
     result.meets = holds(wish, result) && result.distance <= wish.distance &&
                    result.us <= wish.budget;
     out.methods.push_back(result);

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Draws maps of every method: once over all scenes, with gap and time in each cell, and over mass
-ratio, m r^2/I, step, length and stiffness, one of the gap and one of the energy.
+ratio, m r^2/I, step, length and stiffness, one of the gap, one of the energy and one of the motion.
 
 methods.py --csv out/methods.csv --out DIR
 methods.py --csv bench/measured/methods.csv --maps docs/maps.svg
+methods.py --csv bench/measured/trajectories.csv --maps docs/maps_motion.svg
 """
 import numpy as np
 from matplotlib.collections import LineCollection, PatchCollection
@@ -23,7 +24,8 @@ TITLES = {"si30": "30\niterations", "beta1": "beta 1", "4x8": "4 substeps\nof 8"
           "omega": "over-relaxed\n1.9", "velocity": "direct", "shake": "direct,\npositions",
           "inertia": "direct,\nthe default", "velocity/8": "direct,\n8 substeps",
           "shake/8": "positions,\n8 substeps",
-          "inertia/8": "the default,\n8 substeps", "rk4": "Runge-\nKutta"}
+          "inertia/8": "the default,\n8 substeps", "rk4": "Runge-\nKutta",
+          "tree": "reduced", "tree-rk4": "reduced,\nRunge-Kutta"}
 MAPS = {"heavy end": ("mass of\nthe end", "gap_max_m"),
         "m r^2/I": ("smaller beads:\n$m r^2/I$", "gap_max_m"),
         "steps per s": ("steps per\nsecond", "gap_max_m"),
@@ -167,17 +169,38 @@ def draw_maps(rows, methods, path):
              ("energy lost: below 1 %", "to 10 %", "to 50 %", "above"))
 
 
+def draw_motion(rows, path):
+    """The map of how far a body is from its place in the first second; lost is what is 1 m away."""
+    for row in rows:
+        row["status"] = "ok" if row["first_second_m"] < 1 else "lost"
+    rows = [row for row in rows if ": " in row["scene"] and row["method"] in TITLES
+            and not row["scene"].startswith("springs")]
+    methods = list(dict.fromkeys(row["method"] for row in rows))
+    near = {name: sum(row["first_second_m"] < 0.01 for row in rows if row["method"] == name)
+            for name in methods}
+    best = sorted(methods, key=near.get)[:-4:-1]
+    draw_map(rows, methods, path, lambda row, _: 1000 * row["first_second_m"], (1, 10, 100),
+             f"Cases of {len({row['scene'] for row in rows})} in which no body is 10 mm from its "
+             "place in the first second: " + ", ".join(
+                 f"{near[name]} with {TITLES[name]}".replace("\n", " ") for name in best),
+             ("within 1 mm", "10 mm", "100 mm", "1 m"))
+
+
 def main():
     given = style.arguments("Draws a map of every method on every scene.",
                             csv="the table that ./wb bench --methods writes",
                             maps="optional: the maps over one number each, an SVG: of the "
-                                 "energy if its name says so",
+                                 "energy or of the motion if its name says so",
                             out="optional: folder of the figures")
-    table = style.rows(style.read_csv(given.csv, NUMBERS, WORDS, "./wb bench --methods"),
+    motion = given.maps and "motion" in given.maps.name
+    table = style.rows(style.read_csv(given.csv, *(
+        (["first_second_m"], WORDS[:-1]) if motion else (NUMBERS, WORDS)), "./wb bench --methods"),
                        real="double")
     rows = [dict(zip(table, cells)) for cells in zip(*table.values())]
     methods = [name for name in ORDER if name in table["method"]]
-    if given.maps:
+    if motion:
+        draw_motion(rows, given.maps / given.maps.stem)
+    elif given.maps:
         draw_maps(rows, methods, given.maps / given.maps.stem)
     if given.out:
         draw_scenes(rows, methods, given.out / "methods")

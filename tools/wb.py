@@ -114,13 +114,17 @@ def main(words):
         return 0
     if name not in COMMANDS:
         refuse_unknown(name)
-    if name in NEED_SOLUTIONS and any(chapter.sealed for chapter in house.chapters()):
-        raise house.Trouble(f"{name} needs the solutions, which this edition does not have; "
-                            f"instead:\n{NEED_SOLUTIONS[name]}")
+    need_solutions(name)
     parser, call, _ = COMMANDS[name]
     if name == "bench":  # what it does not know is the program's
         return call(*parser.parse_known_args(rest))
     return call(parser.parse_args(rest))
+
+
+def need_solutions(name):
+    if name in NEED_SOLUTIONS and any(chapter.sealed for chapter in house.chapters()):
+        raise house.Trouble(f"{name} needs the solutions, which this edition does not have; "
+                            f"instead:\n{NEED_SOLUTIONS[name]}")
 
 
 # ---- the commands: each loads no more than it needs, since ./wb is to answer at once -------------
@@ -231,9 +235,15 @@ def reset(args):
 
 
 @command("run 2 [...]", "the chapter's program with your code; ./wb run 2 --help lists its "
-         "options, such as --chains 16 of chapter 7", argument("chapter", help="such as 2"),
+         "options, such as --chains 16 of chapter 7; ./wb run 2 --compare: every method on its "
+         "scene", argument("chapter", help="such as 2"),
          argument("options", nargs=argparse.REMAINDER, help="the program's: ./wb run 2 --help"))
 def run(args):
+    if "--compare" in args.options:
+        need_solutions("compare")
+        from bench import compare as methods
+        return methods.of_chapter(house.chapter_of(args.chapter),
+                                  [word for word in args.options if word != "--compare"])
     from learn import show as learn
     return learn.run(house.chapter_of(args.chapter), args.options)
 

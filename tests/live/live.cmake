@@ -1,5 +1,9 @@
-# The scenes of the live page in a native program: with its digits the page's are compared.
-add_executable(live_digits live/digits.cpp
-  ${PROJECT_SOURCE_DIR}/docs/live/scenes.cpp ${PROJECT_SOURCE_DIR}/docs/live/run.cpp)
-target_link_libraries(live_digits PRIVATE bench_scenes 04_slider 05_fixed 06_baumgarte
-  07_performance 08_ground 10_own workbook_strict)
+# The scenes of the live page in native programs: with the digits of one the page's are compared,
+# the other is `./wb run 3 --compare`.
+set(live ${PROJECT_SOURCE_DIR}/docs/live)
+add_executable(live_digits live/digits.cpp ${live}/scenes.cpp ${live}/run.cpp)
+add_executable(compare_chapter live/compared.cpp ${live}/scenes.cpp)
+foreach(program live_digits compare_chapter)
+  target_link_libraries(${program} PRIVATE bench_scenes 04_slider 05_fixed 06_baumgarte
+    07_performance 08_ground 10_own workbook_strict)
+endforeach()

@@ -128,8 +128,21 @@ def untimed(path):
     return [[word for k, word in enumerate(row) if k not in timed] for row in rows]
 
 
+def chapters_compare_methods(root, build):
+    """`./wb run N --compare` has a scene of every chapter, and refuses an option in one line"""
+    for chapter in house.chapters():
+        result = run(build / "tests" / "compare_chapter", str(chapter.number), "--seconds", "0.1",
+                     "--gap", "0.1")
+        if result.returncode or not re.search("The fastest that|None meets", result.stdout):
+            yield f"chapter {chapter.number}: {result.returncode}, {result.stdout[-80:]!r}"
+    for words in ("12", "3 --nonsense 1", "3 --gap x", "3 --seconds 0"):
+        result = run(build / "tests" / "compare_chapter", *words.split())
+        if result.returncode != 2 or result.stderr.count("\n") != 1:
+            yield f"{words}: {result.returncode}, {result.stderr!r}"
+
+
 PROOFS = [programs_carry_what_they_use, bad_words_are_refused, crashes_are_placed,
-          programs_repeat_themselves]
+          programs_repeat_themselves, chapters_compare_methods]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

@@ -1,5 +1,5 @@
 """./wb compare FILE: every method on a scene of the reader's own, and which one to take; a table
-and a figure of error against run time."""
+and a figure of error against run time. ./wb run 3 --compare: on the scene of a chapter."""
 import json
 import subprocess
 
@@ -32,6 +32,13 @@ def main(file, options):
     house.must_build(["compare_scene"])
     house.progress_done()
     return run([house.BUILD / "comparison" / "compare_scene", *options], path.stem)
+
+
+def of_chapter(chapter, options):
+    house.must_build(["compare_chapter"])
+    house.progress_done()
+    return run([house.BUILD / "tests" / "compare_chapter", str(chapter.number), *options],
+               chapter.folder)
 
 
 def run(command, name):

@@ -33,8 +33,10 @@ def pictures(root, tables):
     yield root / "docs/beside.svg", "sweeps.py", ["--csv", measured / "sweeps.csv", "--out"]
     yield (root / "docs/convergence.svg", "convergence.py",
            ["--csv", measured / "convergence.csv", "--out"])
-    for name in ("maps", "maps_energy"):
-        yield root / f"docs/{name}.svg", "methods.py", ["--csv", measured / "methods.csv", "--maps"]
+    for name, table in (("maps", "methods"), ("maps_energy", "methods"),
+                        ("maps_motion", "trajectories")):
+        yield (root / f"docs/{name}.svg", "methods.py",
+               ["--csv", measured / f"{table}.csv", "--maps"])
 
 
 def draw(root, jobs):

@@ -160,7 +160,8 @@ def run(chapter, options):
     """The chapter's program, on the reader's code where it is written."""
     if "--help" in options or "-h" in options:
         house.tell_options(f"{chapter.folder}_run")
-        print("  --for NAME     numbers of your own, drawn from a name")
+        print("  --for NAME     numbers of your own, drawn from a name\n"
+              "  --compare      every method on the scene of its live page (./wb compare --help)")
         return 0
     if "--for" in options:
         options = of_name(chapter, options)

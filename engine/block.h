@@ -26,9 +26,9 @@ struct RowSettings {
   real damping = 1;    ///< damping ratio of that spring [1]
   real rate = 0;       ///< target rate of the last row [unit of C per s]: the speed of a motor
   bool holds_position = true;  ///< true: C is an error to be removed; false: only a rate is given
-  /// If not 0: the impulse of this block of one row is limited to -+upper times the impulse
-  /// `follows` places later, in Block::impulse as in Blocks, which is that of a one-sided row.
-  /// `upper` is then a factor [1], and `lower` is ignored.
+  /// If not 0: the bounds of this block of one row are -+upper * Block::impulse[follows]. Then
+  /// `upper` is a factor [1], and `lower` is ignored. The row of that impulse is one-sided, so that
+  /// the bounds are in order, and stands `follows` rows later in Blocks.
   int follows = 0;
   real lower = -unbounded;  ///< least force of the last row [N or N m]; 0 for C >= 0
   real upper = unbounded;   ///< greatest force of the last row [N or N m]

@@ -218,14 +218,15 @@ static bool is_thin(const Body& body) {
 
 void integrate_pose(Body& body, real h) {
   if (body.is_static() && !body.kinematic) return;
-  // Free rotation is exact if no impulse has acted, and meets the rows nearly if one has.
+  // Without an impulse the rotation is free. With one, the rows hold for a rotation by h w, w being
+  // the mean rate; for a thin body rotate_freely() is nearer to the truth than these rows.
   if (body.w_is_mean && (body.w == body.mean || is_thin(body))) use_own_rate(body);
   clamp_speed(body);
   body.x += h * body.v;
   if (body.w == vec3(0)) return use_own_rate(body);
   if (!body.is_isotropic() && !body.w_is_mean) return rotate_freely(body, h);
   const quat next = normalize(rotation(h * body.w) * body.q);
-  if (body.w_is_mean) {
+  if (body.w_is_mean) {  // w is changed such that the angular momentum is kept
     use_own_rate(body);
     const vec3 L = angular_momentum(body);
     body.q = next;

@@ -16,8 +16,8 @@ struct BodyMatrices {
   mat3 R;                ///< body space to world
   mat3 inverse_inertia;  ///< [1/(kg m^2)], world; not set if the inertia is isotropic
 };
-/// The matrices of one body while a HeldMatrices exists, else null. They are never copied: the copy
-/// of a body may be rotated, and they would be those of another pose.
+/// The matrices of one body while a step makes its rows (HeldMatrices), else null. They are never
+/// copied: the copy of a body may be rotated, and they would be those of another pose.
 struct MatricesOfStep {
   const BodyMatrices* now = nullptr;  ///< set by HeldMatrices only
   MatricesOfStep() = default;       ///< null
@@ -40,9 +40,9 @@ struct Body {
   /// joint changes them. A static body that is not kinematic stays where it is, even if v is not
   /// zero: a belt.
   bool kinematic = false;
-  bool w_is_mean = false;  ///< w contains `precession`: from use_mean_rate() to integrate_pose()
-  vec3 precession{0};      ///< what use_mean_rate() has added to w [rad/s, world]
-  vec3 mean{0};            ///< what w was then [rad/s, world]
+  bool w_is_mean = false;  ///< w is the mean rate of a step that has begun: see use_mean_rate()
+  vec3 precession{0};      ///< mean rate minus the rate at the step's beginning [rad/s, world]
+  vec3 mean{0};            ///< the mean rate without the step's impulses [rad/s, world]
   MatricesOfStep matrices{};      ///< of q, while a step makes its rows
 
   /// True if no force and no joint can move this body.

@@ -54,7 +54,7 @@ class Joint {
   }
 
   /// Called once per step, before append(). \param h step [s]
-  /// \param duration of the impulses of the step, Blocks::impulse_duration [s]; 0 for h
+  /// \param duration for which the step's impulses act [s]: not h with leapfrog; 0 for h
   void begin_step(const Bodies& bodies, real h, real duration = 0) {
     h_ = h;
     impulse_duration_ = duration > 0 ? duration : h;

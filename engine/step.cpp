@@ -3,8 +3,8 @@
 
 namespace joints {
 
-// How often a step is solved again at most because blows have changed momenta: a renewed mean rate
-// changes the impulses, but less each time.
+// How often a step is solved again at most because a blow has changed the mean rate at which a body
+// rotates (use_mean_rate() in body.h). A new rate changes the impulses, but less each time.
 static constexpr int most_renewals = 3;
 
 void step(World& world, Solver& solver, real h, bool warm_start, const StepMethod& method) {

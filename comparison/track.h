@@ -26,7 +26,8 @@ double apart(const Track& one, const Track& other, std::size_t frames);
 
 /// Two runs of a scene with short steps, the better one last.
 struct Reference {
-  Track before{}, track{};
+  Track before{};          ///< the last but one
+  Track track{};           ///< the last
   std::size_t frames = 0;  ///< of these at the beginning they agree
 };
 /// Makes runs, each better than the one before, until two agree in all frames or it has lasted too

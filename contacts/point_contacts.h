@@ -50,12 +50,12 @@ class PointContacts : public Joint {
   /// A round cone of friction: t2 gets what t1 left in the last step, so a joint pushes a sliding
   /// body sideways as Coulomb's law requires. false: a square, which brings bodies to rest sooner.
   bool circle = false;
-  real slop = 0;          ///< depth that is not corrected [m]
-  real push = real(0.8);  ///< greatest speed at which a penetration is corrected [m/s], positive
+  real slop = 0;  ///< depth that is not corrected [m]
 
   static constexpr real at_rest = real(0.01);  ///< a point slower than this does not slide [m/s]
 
-  using Joint::Joint;
+  /// Of two bodies; a penetration is corrected at 0.8 m/s at most.
+  PointContacts(BodyId body1, BodyId body2) : Joint(body1, body2) { push = real(0.8); }
   /// The bodies, beta and the coefficients.
   void check_input(const Bodies& bodies) const override {
     Joint::check_input(bodies);
@@ -65,7 +65,6 @@ class PointContacts : public Joint {
             "must be from 0 to 1 [1]");
     require(threshold >= 0, "threshold", threshold, "must not be negative [m/s]");
     require(slop >= 0, "slop", slop, "must not be negative [m]");
-    require(push > 0, "push", push, "must be positive [m/s]");
   }
   Stats stats() const override { return {.bounded = true}; }  ///< bounds of contact and friction
   /// All points, live or not.
@@ -188,7 +187,7 @@ void PointContacts::append_point(ContactPoint& point, const Part& part, const Bo
                   &point.impulse[std::size_t(i)]);
   }
   RowSettings target = hold(0);
-  target.slop = slop, target.push = push;
+  target.slop = slop;
   blocks.append(bodies, body1, body2, part, target, &point.impulse[2]);
   if (point.rebound > 0) blocks.after_move = apply_restitution;
 }

@@ -32,9 +32,9 @@ struct RowSettings {
   int follows = 0;
   real lower = -unbounded;  ///< least force of the last row [N or N m]; 0 for C >= 0
   real upper = unbounded;   ///< greatest force of the last row [N or N m]
-  // Of a one-sided last row; they apply to the impulses of a step, not to position projection:
-  real slop = 0;             ///< violation that is not corrected [unit of C]
-  real push = unbounded;     ///< greatest speed of the correction [unit of C per s]
+  // They apply to the impulses of a step, not to position projection:
+  real slop = 0;          ///< violation of a one-sided last row that is not corrected [unit of C]
+  real push = unbounded;  ///< greatest speed at which an error is corrected [unit of C per s]
 
   /// True if the last row enforces C >= 0 and only pushes. It is speculative while C > 0.
   bool one_sided() const { return holds_position && follows == 0 && lower == 0; }
@@ -91,9 +91,11 @@ inline real corrected(const RowSettings& target, real C, real rate) {
 /// The bias of row `i` of a block, minus the required J V, from its error C.
 /// \param rate SoftCoefficients::rate [1/s] \param h step [s]
 inline real bias(const Block& block, int i, real C, real rate, real h) {
-  if (i < block.rows - 1) return rate * C;
   const RowSettings& target = block.target;
-  if (!target.one_sided()) return rate * C - target.rate;
+  if (i < block.rows - 1 || !target.one_sided()) {
+    const real speed = block.corrects ? std::clamp(rate * C, -target.push, target.push) : rate * C;
+    return i < block.rows - 1 ? speed : speed - target.rate;
+  }
   // speculative while C > 0: the gap may close, but not more
   return (C > 0 ? C / h : rate * corrected(target, C, rate)) - target.rate;
 }

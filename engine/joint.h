@@ -32,6 +32,9 @@ class Joint {
   /// unless StepOptions::frequency makes them soft. Finite and not negative, like damping.
   real frequency = 0;
   real damping = 1;       ///< damping ratio of that spring [1]; 1 is critical
+  /// Greatest speed at which the velocities correct an error [m/s or rad/s]; positive. Bound it where
+  /// bodies are moved by hand: their joints open far, and are closed at high speeds without a bound.
+  real push = unbounded;
   bool projected = true;  ///< position projection corrects this joint (StepOptions::projections)
 
   /// Of two bodies. \throws std::invalid_argument for a joint of a body with itself
@@ -51,6 +54,7 @@ class Joint {
             "must be finite and not negative [Hz]");
     require(damping >= 0 && damping < unbounded, "damping", damping,
             "must be finite and not negative [1]");
+    require(push > 0, "push", push, "must be positive [m/s or rad/s]");
   }
 
   /// Called once per step, before append(). \param h step [s]
@@ -105,7 +109,8 @@ class Joint {
   /// The target of a block that holds a position: hard with beta, or soft with frequency and
   /// damping. \param lower 0 if the last row enforces C >= 0
   RowSettings hold(real lower = -unbounded) const {
-    return {.beta = beta, .frequency = frequency, .damping = damping, .lower = lower};
+    return {.beta = beta, .frequency = frequency, .damping = damping, .lower = lower,
+            .push = push};
   }
 
  private:

@@ -228,7 +228,7 @@ class ConeTwistJoint : public WithCoordinates<Point, HingeAngle, SwingAngle, Swi
   void update_active_rows(const Bodies& bodies, real h) override {
     WithCoordinates::update_active_rows(bodies, h);
     cone_.body1 = body1, cone_.body2 = body2;
-    cone_.beta = beta, cone_.frequency = frequency, cone_.damping = damping;
+    cone_.beta = beta, cone_.frequency = frequency, cone_.damping = damping, cone_.push = push;
     cone_.begin_step(bodies, h, impulse_duration());
   }
   void deactivate() override {

@@ -176,7 +176,7 @@ class FreeCoordinate {
   /// The target of its row.
   RowSettings limit_target() const {
     return {.beta = joint_.beta, .frequency = joint_.frequency, .damping = joint_.damping,
-            .lower = data_->held() ? -unbounded : real(0)};
+            .lower = data_->held() ? -unbounded : real(0), .push = joint_.push};
   }
   /// Appends its block, if it is not in another block.
   void append_limit(const Bodies& bodies, Blocks& blocks) const {

@@ -88,14 +88,18 @@ struct Block {
 inline real corrected(const RowSettings& target, real C, real rate) {
   return std::max(std::min(C + target.slop, real(0)), -target.push / rate);
 }
+/// The bias of a row for its error C alone, at most `push`; that of a spring has no bound.
+/// \param rate SoftCoefficients::rate [1/s]
+inline real feedback(const Block& block, real C, real rate) {
+  const real most = block.corrects ? block.target.push : unbounded;
+  return std::min(std::max(rate * C, -most), most);
+}
 /// The bias of row `i` of a block, minus the required J V, from its error C.
 /// \param rate SoftCoefficients::rate [1/s] \param h step [s]
 inline real bias(const Block& block, int i, real C, real rate, real h) {
+  if (i < block.rows - 1) return feedback(block, C, rate);
   const RowSettings& target = block.target;
-  if (i < block.rows - 1 || !target.one_sided()) {
-    const real speed = block.corrects ? std::clamp(rate * C, -target.push, target.push) : rate * C;
-    return i < block.rows - 1 ? speed : speed - target.rate;
-  }
+  if (!target.one_sided()) return feedback(block, C, rate) - target.rate;
   // speculative while C > 0: the gap may close, but not more
   return (C > 0 ? C / h : rate * corrected(target, C, rate)) - target.rate;
 }

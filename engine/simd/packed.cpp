@@ -104,11 +104,13 @@ template <BlockKind kind, class Number, int N = kind.rows>
 JOINTS_INLINED inline void fill(Record<kind, Number>& record, const Source& from, int lane) {
   const Block& block = from.block;
   fill_rows(record.rows, from, lane);
-  for (int i = 0; i < N; ++i) {
+  const auto fill_row = [&](int i, real asked) JOINTS_INLINED {
     const real given = from.driven ? driven_rate(from.J[i], from.body1, from.body2) : real(0);
-    scatter(bias(block, i, from.C[i], from.target.rate, from.h) + given, record.rows.bias[i], lane);
+    scatter(asked + given, record.rows.bias[i], lane);
     scatter(block.impulse[i], record.lambda[i], lane);
-  }
+  };
+  for (int i = 0; i < N - 1; ++i) fill_row(i, feedback(block, from.C[i], from.target.rate));
+  fill_row(N - 1, bias(block, N - 1, from.C[N - 1], from.target.rate, from.h));
   if constexpr (!kind.hard) {
     scatter(from.target.impulse_scale, record.bounds.impulse_scale, lane);
     scatter(from.target.lower, record.bounds.lower, lane);

@@ -32,8 +32,8 @@ class Joint {
   /// unless StepOptions::frequency makes them soft. Finite and not negative, like damping.
   real frequency = 0;
   real damping = 1;       ///< damping ratio of that spring [1]; 1 is critical
-  /// Greatest speed at which the velocities correct an error [m/s or rad/s]; positive. Bound it where
-  /// bodies are moved by hand: their joints open far, and are closed at high speeds without a bound.
+  /// Greatest speed at which the velocities correct an error [m/s or rad/s]; positive. Bound it
+  /// where bodies are moved by hand: joints open far then, and are closed at a high speed.
   real push = unbounded;
   bool projected = true;  ///< position projection corrects this joint (StepOptions::projections)
 

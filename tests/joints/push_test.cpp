@@ -29,7 +29,7 @@ const AddJoint kinds[] = {
 
 }  // namespace
 
-TEST_CASE("a joint that was opened by hand is closed at its push, or at beta C / h if that is less") {
+TEST_CASE("a joint opened by hand is closed at its push, or at beta C / h where that is less") {
   const double exact = tolerance(1e-6, 1e-3);
   int bounded = 0, free = 0;
   for (const auto& solver : three_solvers(300)) {

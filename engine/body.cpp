@@ -103,7 +103,7 @@ void integrate_forces(Body& body, const vec3& gravity, real h) {
   use_mean_rate(body, h);
 }
 
-static void clamp_speed(vec3& velocity) {
+[[gnu::always_inline]] inline static void clamp_speed(vec3& velocity) {
   const real top = std::max({std::abs(velocity.x), std::abs(velocity.y), std::abs(velocity.z)});
   if (top > max_speed) velocity *= max_speed / top;
 }
@@ -221,7 +221,8 @@ void integrate_pose(Body& body, real h) {
   // Without an impulse the rotation is free. With one, the rows hold for a rotation by h w, w being
   // the mean rate; for a thin body rotate_freely() is nearer to the truth than these rows.
   if (body.w_is_mean && (body.w == body.mean || is_thin(body))) use_own_rate(body);
-  clamp_speed(body);
+  clamp_speed(body.v);
+  clamp_speed(body.w);
   body.x += h * body.v;
   if (body.w == vec3(0)) return use_own_rate(body);
   if (!body.is_isotropic() && !body.w_is_mean) return rotate_freely(body, h);

@@ -23,6 +23,9 @@ inline real number(const Register& r, int k) { return r[k]; }
 constexpr int register_size = int(sizeof(Register) / sizeof(real));
 /// \endcond
 
+/// \cond
+#define JOINTS_INLINED __attribute__((always_inline))
+/// \endcond
 /// The twelve numbers of a row.
 struct Twelve {
   Register part[12 / register_size];  ///< the numbers of v1, w1, v2 and w2, in this order
@@ -30,7 +33,7 @@ struct Twelve {
 /// The numbers of a row, in place.
 inline const Twelve& twelve(const Row& row) { return reinterpret_cast<const Twelve&>(row); }
 /// J V of a row. \param V v and w of both bodies
-inline real dot(const Twelve& J, const Twelve& V) {
+JOINTS_INLINED inline real dot(const Twelve& J, const Twelve& V) {
   constexpr int parts = 4 / register_size;
   Register sums[parts];  // four, each of three products
   for (int k = 0; k < parts; ++k)
@@ -44,7 +47,6 @@ inline real dot(const Twelve& J, const Twelve& V) {
 inline real inverse_above(real a, real least) { return a > least ? 1 / a : real(0); }
 
 /// \cond
-#define JOINTS_INLINED __attribute__((always_inline))
 // Calls f(0) to f(n - 1) with compile-time constants, so that the loop is unrolled and the entries
 // below can stay in registers.
 template <int n, class F>

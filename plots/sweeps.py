@@ -130,12 +130,12 @@ def headline(table):
     parts = []
     for level in LEVELS:
         found = [fastest(style.rows(table, scene=scene), level) for scene in scenes]
-        words = f"{sum(one == {'ours'} for one in found)} at {style.metres(level)}"
+        words = f"{style.metres(level)} in {sum(one == {'ours'} for one in found)}"
         others = [", ".join(sorted(one - {"ours"})) + (" as fast" if "ours" in one else "")
                   for one in found if one != {"ours"}]
         named = [f"{who} in {others.count(who)}" for who in dict.fromkeys(others) if who]
         parts.append(words + (f" ({'; '.join(named)})" if named else ""))
-    return (f"Scenes, of {len(scenes)}, in which ours need the least time to an error: "
+    return (f"Of {len(scenes)} scenes ours reach an error in the least time: "
             + ", ".join(parts))
 
 

@@ -143,7 +143,8 @@
 //         node.row": x + node.row, x + to.row ==> x + k, x + A.edges[j].to
 // mistake "the last node is left out: it has no edges, but it must be divided": 1 ==> 2
 // mistake "the way back leaves the first node out: k >= 0": k >= 0 ==> k > 0
-// wrong "Case: three scalar rows of a chain": number + node.diagonal, ==> number + node.row,
+// mistake "the node's row in the place of its diagonal: its diagonal block begins at number +
+//         node.diagonal": number + node.diagonal, ==> number + node.row,
 // mistake "only the first edge of each node on the way forward: all of them": 1] ==> 1].first_edge
 //         && j == node
 // mistake "the edges of other nodes, too: from the node's first_edge on": node.first_edge ==> 0

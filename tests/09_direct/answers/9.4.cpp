@@ -22,7 +22,7 @@
 // mistake "the pivot is returned: its inverse": 1 / pivot ==> pivot
 // wrong sign: 1 / pivot ==> -1 / pivot
 // mistake "a dependent row gets 1: it gets 0, no impulse": : 0 ==> : 1
-// wrong "Case: only a rounding error remains": : 0 ==> : 1e30
+// mistake "a dependent row gets a huge inverse: it gets 0, no impulse": : 0 ==> : 1e30
 // mistake "a dependent row gets an infinite inverse: it gets 0, no impulse": : 0 ==> :
 //         std::numeric_limits<double>::infinity()
 // mistake "pivot and entry are exchanged in the comparison": original ==> pivot ;; pivot ==>

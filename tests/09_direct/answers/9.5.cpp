@@ -76,8 +76,8 @@
 //         integrate_forces(world.bodies, world.gravity, (world.last_h + h) / 2); ==> for (int k =
 //         0; k < world.bodies.slots(); ++k) if (!world.bodies.at(k).is_static())
 //         world.bodies.at(k).v += (world.last_h + h) / 2 * world.gravity;
-// wrong "Case: two bodies and a motor": for (const auto& joint : world.joints()) joint->append ==>
-//         if (!world.joints().empty()) world.joints()[0]->append
+// mistake "only the first joint appends its blocks: all of them": for (const auto& joint :
+//         world.joints()) joint->append ==> if (!world.joints().empty()) world.joints()[0]->append
 // mistake "gravity is another one: world.gravity": world.gravity, ==> vec3(0, real(-9.81), 0),
 // mistake "half of the last step only: (last_h + h) / 2 needs its brackets": (world.last_h + h) / 2
 //         ==> world.last_h / 2 + h

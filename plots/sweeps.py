@@ -80,6 +80,7 @@ def fastest(table, level):
 
 
 def draw_scene(ax, table, large):
+    bars = []
     for engine, setting, kind, words in CURVES:
         if not large and setting in LARGE_ALONE:
             continue
@@ -98,9 +99,10 @@ def draw_scene(ax, table, large):
                 markersize=4 if large else 3, linewidth=1.3 if large else 1,
                 markerfacecolor=colour if ours else "white",
                 label=f"{'' if ours else engine + ', '}{words}", zorder=4 if ours else 3)
-        bars = curve["spread"][good] / 2 * x[good]
-        ax.hlines(y[good], x[good] - bars, x[good] + bars, color=colour,
-                  linewidth=2.2 if large else 1.6)
+        half = curve["spread"][good] / 2 * x[good]
+        bars += zip(y[good], x[good] - half, x[good] + half, [colour] * good.sum())
+    heights, begins, ends, colours = zip(*bars)
+    ax.hlines(heights, begins, ends, color=colours, linewidth=2.2 if large else 1.6)
     x, y, good = points(table)
     line = [k for k in front(np.where(good, x, np.inf), np.where(good, y, np.inf)) if good[k]]
     ax.step(x[line], y[line], where="post", color=PALE, linewidth=4 if large else 3, alpha=0.35,
@@ -114,13 +116,14 @@ def draw_scene(ax, table, large):
 
 def draw_slopes(ax):
     """Triangles: how fast an error falls where half the step takes twice the time."""
-    right = ax.get_xlim()[1]
+    right, corners = ax.get_xlim()[1], []
     for order, share in ((1, 0.012), (2, 0.05), (4, 0.2)):
         x, high, wide = right * share, 1.0, 2.5
         low = high / wide ** order
-        ax.fill([x, wide * x, x], [high, low, low], facecolor="none", edgecolor=INK, linewidth=0.8)
+        corners += [(x, high), (wide * x, low), (x, low), (x, high), (np.nan, np.nan)]
         ax.annotate(f"order {order}", (x, low), xytext=(0, -3), va="top", fontsize=7.5,
                     textcoords="offset points")
+    ax.plot(*zip(*corners), color=INK, linewidth=0.8, label="_slopes")
 
 
 def headline(table):

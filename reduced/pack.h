@@ -15,7 +15,7 @@ namespace joints {
 /// lane. Each tree gets the digits that it has alone.
 class Pack {
  public:
-  /// \param trees all \param members which of them
+  /// Of equal trees. \param trees all \param members which of them
   Pack(std::span<const Tree> trees, std::span<const std::size_t> members);
   /// Moves the members by one step: together if all are Tree::plain(). \param h [s]
   void runge_kutta(std::span<Tree> trees, real h);

@@ -222,14 +222,14 @@ void follow(FILE* file, const Entry& entry, double patience) {
   const std::size_t draws = std::min<std::size_t>(entry.makes.size(), 3);
   std::vector<KnownMotion> motions;
   std::vector<double> until, agree, grown;
-  int followed = 0, chaotic = 0;
+  const char* const kinds[] = {"followed", "chaotic", "given up", "hurried"};
+  int count[4] = {};
   for (std::size_t k = 0; k < draws; ++k) {
     std::fprintf(stderr, "%s, reference %zu\n", entry.name.c_str(), k + 1);
     motions.push_back(motion_of(entry.makes[k], entry.span, patience));
     until.push_back(motions[k].until), grown.push_back(motions[k].grown);
     agree.push_back(motions[k].agree_first);
-    followed += motions[k].kind(seconds) == "followed";
-    chaotic += motions[k].kind(seconds) == "chaotic";
+    for (int n = 0; n < 4; ++n) count[n] += motions[k].kind(seconds) == kinds[n];
   }
   const BenchScene scene = entry.makes.front()();
   for (const std::string& method : words(entry.methods)) {
@@ -241,9 +241,10 @@ void follow(FILE* file, const Entry& entry, double patience) {
       first.push_back(last.first), all.push_back(last.all);
     }
     if (last.refused) continue;
-    std::fprintf(file, "%s,%s,%s,%s,%.6g,%zu,%d,%d", entry.name.c_str(),
+    std::fprintf(file, "%s,%s,%s,%s,%.6g,%zu,%d,%d,%d,%d", entry.name.c_str(),
                  sizeof(real) == 8 ? "double" : "float", method.c_str(),
-                 motions.front().roads.c_str(), seconds, draws, followed, chaotic);
+                 motions.front().roads.c_str(), seconds, draws, count[0], count[1], count[2],
+                 count[3]);
     std::fprintf(file, "%s%s%s", cell(median(until)).c_str(), cell(median(agree)).c_str(),
                  cell(median(grown)).c_str());
     std::fprintf(file, "%s%s,%s%s%s%s\n", cell(median(first)).c_str(), cell(median(all)).c_str(),
@@ -261,7 +262,7 @@ int main(int argc, char** argv) {
     Options options("Every method on every kind of scene",
                     {{"csv", "out/methods.csv", "the table"},
                      {"followed", "0", "1: no times, but distances from references of the motion"},
-                     {"patience", "10", "processor time of a reference, about [s]"},
+                     {"patience", "300", "processor time of a reference, about [s]"},
                      {"append", "0", "1: add lines to the table that is there"},
                      {"quick", "0", "1: fewer random scenes, no large ones"},
                      {"scene", "", "one scene alone, by its name in the table"},
@@ -273,8 +274,8 @@ int main(int argc, char** argv) {
     const bool followed = options.flag("followed");
     FILE* file = open_table(
         options.text("csv"), options.flag("append"),
-        followed ? "scene,real,method,roads,seconds,draws,followed,chaotic,until_s,agree_m,grown_m,"
-                   "first_second_m,distance_m,finding,expected,found,range"
+        followed ? "scene,real,method,roads,seconds,draws,followed,chaotic,given_up,hurried,until_s,"
+                   "agree_m,grown_m,first_second_m,distance_m,finding,expected,found,range"
                  : "scene,real,method,joints,us_per_step,spread,ratio_to_si30,"
                    "textbook_iterations," + measure_columns + ",held,of,status");
     if (!options.text("methods").empty())

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double same = 1e-4;     // where bodies are apart by less, two runs agree [m]
 constexpr double slight = 1e-9;   // relative change of the gravity
-constexpr int coarsest = 16, finest = 128;  // parts of a step
+constexpr int coarsest = 16, finest = 256;  // parts of a step
 constexpr double first_second = 1;
 
 struct Ran {
@@ -58,7 +58,8 @@ std::size_t frames_in(double seconds, const Span& span) {
 }  // namespace
 
 std::string KnownMotion::kind(double seconds) const {
-  return until > seconds - 1e-6 ? "followed" : grown > same ? "chaotic" : "impacts";
+  return until > seconds - 1e-6 ? "followed" : grown > same ? "chaotic" : lost ? "given up"
+         : reference.hurried ? "hurried" : "impacts";
 }
 
 KnownMotion motion_of(const MakeScene& make_scene, const Span& span, double patience) {
@@ -80,11 +81,12 @@ KnownMotion motion_of(const MakeScene& make_scene, const Span& span, double pati
           roads = {road = "shake"};
           run = ran(make_scene, setting_named(road), span, parts);
         }
+        out.lost = run.lost;
         return std::move(run.track);
       },
       std::size_t(span.steps) + 1, same, patience);
   for (const std::string& one : roads) out.roads += (out.roads.empty() ? "" : " ") + one;
-  const auto& [before, track, frames] = out.reference;
+  const auto& [before, track, frames, hurried] = out.reference;
   if (frames > 0) out.until = double(frames - 1) * double(span.h);
   out.agree = apart(before, track, frames);
   out.agree_first = apart(before, track, std::min(frames, frames_in(first_second, span)));
@@ -97,7 +99,7 @@ KnownMotion motion_of(const MakeScene& make_scene, const Span& span, double pati
 
 Astray astray(const MakeScene& make_scene, const Setting& setting, const Span& span,
               const KnownMotion& motion, bool uncertain) {
-  const auto& [before, reference, frames] = motion.reference;
+  const auto& [before, reference, frames, hurried] = motion.reference;
   const Ran run = ran(make_scene, setting, span);
   Astray out;
   out.refused = run.refused;

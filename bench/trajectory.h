@@ -16,8 +16,10 @@ struct KnownMotion {
   double agree_first = 0;   ///< how far they are apart in the first second, at most [m]
   double agree = 0;         ///< and until then [m]
   double grown = 0;         ///< distance of two runs at the end if gravity differs by 1e-9 [m]
+  bool lost = false;        ///< the last of them gave up on the way
   /// "followed" to its end; else "chaotic", if 1e-9 of the gravity grows to a tenth of a
-  /// millimetre; else "impacts": no chaos, but steps that are no shorter find another motion.
+  /// millimetre; else "given up"; else "hurried", for want of patience; else "impacts": no chaos,
+  /// but steps that are no shorter find another motion.
   std::string kind(double seconds) const;
 };
 /// Two references of a scene. \param patience processor time [s]

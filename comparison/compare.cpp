@@ -42,67 +42,57 @@ Stepper by(const S& settings, const StepOptions& how) {
     else return std::vector<std::string>{};
   };
 }
-Stepper by_tree(const std::shared_ptr<Reduced>& tree) {
+Stepper by(const std::shared_ptr<Reduced>& tree) {
   return [=](World& world, real h) {
     tree->step(world, h);
     return tree->report().sentences();
   };
 }
-DirectSolver exact() {
-  DirectSolver solver;
-  solver.added_inertia = 0;
-  return solver;
-}
-PackedImpulses packed(int iterations) {
-  PackedImpulses solver;
-  solver.iterations = iterations;
-  return solver;
-}
 
-// From few lines of settings to many. A method that refuses the scene says why.
+// What is recommended is what has run: the code is the text of the settings. A method that refuses
+// the scene says why.
+#define TEXT(...) #__VA_ARGS__
+#define PLAIN(...) __VA_ARGS__
+#define SOLVED(name, Solver, how, ...)                                                 \
+  {name, #Solver " solver;" __VA_OPT__(" " #__VA_ARGS__ ";")                           \
+   "\nstep(world, solver, h, " TEXT how ");", []([[maybe_unused]] World& world) {      \
+     Solver solver;                                                                    \
+     __VA_ARGS__;                                                                      \
+     return by(solver, PLAIN how);                                                     \
+   }}
+#define REDUCED(name, ...)                                                             \
+  {name, "Reduced tree(world);" __VA_OPT__(" " #__VA_ARGS__ ";")                       \
+   "\ntree.step(world, h);", [](World& world) {                                        \
+     const auto made = std::make_shared<Reduced>(world);                               \
+     [[maybe_unused]] Reduced& tree = *made;                                           \
+     __VA_ARGS__;                                                                      \
+     return by(made);                                                                  \
+   }}
+
+// From few lines of settings to many.
 const Method methods[] = {
-    {"10 iterations, warm", "PackedImpulses solver; solver.iterations = 10; world.set_beta(0.1);\n"
-     "step(world, solver, h, {.warm_start = true});",
-     [](World& w) { w.set_beta(real(0.1)); return by(packed(10), {.warm_start = true}); }},
-    {"30 iterations", "PackedImpulses solver; solver.iterations = 30;\nstep(world, solver, h);",
-     [](World&) { return by(packed(30), {}); }},
-    {"4 substeps of 8", "PackedImpulses solver; solver.iterations = 8; world.set_beta(1);\n"
-     "step(world, solver, h, {.substeps = 4});",
-     [](World& w) { w.set_beta(1); return by(packed(8), {.substeps = 4}); }},
-    {"16 substeps of 2", "PackedImpulses solver; solver.iterations = 2; world.set_beta(1);\n"
-     "step(world, solver, h, {.substeps = 16});",
-     [](World& w) { w.set_beta(1); return by(packed(2), {.substeps = 16}); }},
-    {"direct, velocities only",
-     "DirectSolver solver = DirectSolver::velocities_only(); world.set_beta(1);\n"
-     "step(world, solver, h, {.leapfrog = true});",
-     [](World& w) {
-       w.set_beta(1);
-       return by(DirectSolver::velocities_only(), {.leapfrog = true});
-     }},
-    {"direct, no added inertia", "DirectSolver solver; solver.added_inertia = 0;\n"
-     "step(world, solver, h, {.leapfrog = true});",
-     [](World&) { return by(exact(), {.leapfrog = true}); }},
-    {"the default", "DirectSolver solver;\nstep(world, solver, h, {.leapfrog = true});",
-     [](World&) { return by(DirectSolver(), {.leapfrog = true}); }},
-    {"the default, 4 substeps",
-     "DirectSolver solver;\nstep(world, solver, h, {.substeps = 4, .leapfrog = true});",
-     [](World&) { return by(DirectSolver(), {.substeps = 4, .leapfrog = true}); }},
-    {"direct, 4 substeps, warm", "DirectSolver solver; solver.added_inertia = 0;\n"
-     "step(world, solver, h, {.warm_start = true, .substeps = 4});",
-     [](World&) { return by(exact(), {.warm_start = true, .substeps = 4}); }},
-    {"reduced coordinates", "Reduced tree(world); tree.step(world, h);",
-     [](World& w) {
-       const auto tree = std::make_shared<Reduced>(w);
-       return by_tree(tree);
-     }},
-    {"reduced, Runge-Kutta", "Reduced tree(world); tree.method = Reduced::Method::runge_kutta;\n"
-     "tree.step(world, h);",
-     [](World& w) {
-       const auto tree = std::make_shared<Reduced>(w);
-       tree->method = Reduced::Method::runge_kutta;
-       return by_tree(tree);
-     }},
+    SOLVED("10 iterations, warm", PackedImpulses, ({.warm_start = true}),
+           solver.iterations = 10; world.set_beta(0.1)),
+    SOLVED("30 iterations", PackedImpulses, ({}), solver.iterations = 30),
+    SOLVED("4 substeps of 8", PackedImpulses, ({.substeps = 4}),
+           solver.iterations = 8; world.set_beta(1)),
+    SOLVED("16 substeps of 2", PackedImpulses, ({.substeps = 16}),
+           solver.iterations = 2; world.set_beta(1)),
+    SOLVED("direct, velocities only", DirectSolver, ({.leapfrog = true}),
+           solver = DirectSolver::velocities_only(); world.set_beta(1)),
+    SOLVED("direct, no added inertia", DirectSolver, ({.leapfrog = true}),
+           solver.added_inertia = 0),
+    SOLVED("the default", DirectSolver, ({.leapfrog = true})),
+    SOLVED("the default, 4 substeps", DirectSolver, ({.substeps = 4, .leapfrog = true})),
+    SOLVED("direct, 4 substeps, warm", DirectSolver, ({.warm_start = true, .substeps = 4}),
+           solver.added_inertia = 0),
+    REDUCED("reduced coordinates"),
+    REDUCED("reduced, Runge-Kutta", tree.method = Reduced::Method::runge_kutta),
 };
+#undef TEXT
+#undef PLAIN
+#undef SOLVED
+#undef REDUCED
 constexpr int reference_method = 5;
 
 // ---- a run --------------------------------------------------------------------------------------

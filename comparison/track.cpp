@@ -40,7 +40,7 @@ double apart(const Track& one, const Track& other, std::size_t frames) {
 Reference refine(const std::function<std::optional<Track>(int n)>& run, std::size_t frames,
                  double most, double patience) {
   Reference out;
-  for (int n = 0; patience > 0; ++n) {
+  for (int n = 0; !out.hurried; ++n) {
     std::optional<Track> next = run(n);
     if (!next) break;
     patience -= 1e-6 * next->us;
@@ -49,6 +49,7 @@ Reference refine(const std::function<std::optional<Track>(int n)>& run, std::siz
     for (out.frames = 0; out.frames < both; ++out.frames)
       if (!(between(out.before.frames[out.frames], out.track.frames[out.frames]) <= most)) break;
     if (out.frames == frames) break;
+    out.hurried = !(patience > 0);
   }
   return out;
 }

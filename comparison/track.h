@@ -29,6 +29,7 @@ struct Reference {
   Track before{};          ///< the last but one
   Track track{};           ///< the last
   std::size_t frames = 0;  ///< of these at the beginning they agree
+  bool hurried = false;    ///< there was no time for better ones
 };
 /// Makes runs, each better than the one before, until two agree in all frames or it has lasted too
 /// long. \param run the n-th of them, or nothing if there is none \param frames of a whole run

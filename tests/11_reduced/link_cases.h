@@ -200,7 +200,8 @@ inline LinkCase link_case(Draw& d, Freedom freedom, const Draw::Units& u) {
   if (has_axis(link)) {
     link.axis_local = normalize(d.vector());
     link.start_axis = quat(0, link.axis_local.x, link.axis_local.y, link.axis_local.z) * link.start;
-    link.x = real(d.number() * along);
+    const bool turns = freedom == Freedom::hinge;  // by a millionth, or many times around
+    link.x = real(turns ? d.any_size(is_float ? 3 : 6) : d.number() * along);
     link.rate = real(d.number() * along * rate);
     link.acceleration = real(d.number() * along * rate * rate);
   }

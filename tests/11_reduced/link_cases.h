@@ -329,7 +329,7 @@ CaseTable<LinkCase> link_table(const Subject& subject, Function* yours, Function
 template <class Function>
 Drawn drawn_link(Draw& d, Function* yours, Function* right, const Outputs& outputs,
                  Freedom kind, After done) {
-  const Draw::Units u = d.units(is_float ? 2 : 9);
+  const Draw::Units u = d.units(is_float ? 2 : 12);
   LinkCase c = link_case(d, kind, u);
   come(c.link, done);
   const LinkCase mine = after(yours, c), wanted = after(right, c);

@@ -31,6 +31,11 @@
 // mistake "the slider is rotated by x as well": link.d += link.x * link.a; ==> link.d += link.x *
 //         link.a; link.q = rotation(link.x * link.a) * link.q;
 // wrong "the line of link.q is missing": if (link.freedom == Freedom::hinge) ==> if (false)
+// mistake "a slider's orientations in the wrong order: the first rotation stands on the right":
+//         link.q = parent.q * link.start; link.d ==> link.q = link.start * parent.q; link.d
+// mistake "the sine is missing: half the angle itself is right for small angles only":
+//         std::sin(half) * link.start_axis ==> half * link.start_axis
+// mistake "the cosine is missing": std::cos(half) * link.start ==> link.start
 // right by the rotation of the axis: const real half = link.x / 2; ==> ;; const quat turned =
 //         std::cos(half) * link.start + std::sin(half) * link.start_axis; ==> const quat turned =
 //         rotation(link.x * link.axis_local) * link.start;

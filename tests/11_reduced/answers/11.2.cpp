@@ -23,6 +23,8 @@
 // mistake "M has one in the place of the mass": mat3(m) ==> mat3(1)
 // mistake "M is filled with the mass: only its diagonal has it": mat3(m) ==> mat3(m, m, m, m, m, m,
 //         m, m, m)
+// mistake "the first row of J is left out: a loop begins at 0": for (int k = 0; ==> for (int k = 1;
+// mistake "the last row of J is left out: k goes from 0 to 2": k < 3; ==> k < 2;
 // right by skew twice: for (int k = 0; k < 3; ++k) { link.J[k] -= (m * c[k]) * c; link.J[k][k] += m
 //         * dot(c, c); ==> { link.J += m * skew(c) * transpose(skew(c));
 // right by outer: for (int k = 0; k < 3; ++k) { link.J[k] -= (m * c[k]) * c; link.J[k][k] += m *
@@ -54,6 +56,8 @@
 // mistake "I w with the moments in body space": link.inertia * w) ==> link.inertia_local * w)
 // mistake "n is added to what was there": link.n = ==> link.n +=
 // mistake "f is added to what was there": link.f = ==> link.f +=
+// mistake "n reads f before it is set: the force first": link.n = cross(c, link.f) - link.torque;
+//         ==> ;; link.f = link.mass ==> link.n = cross(c, link.f) - link.torque; link.f = link.mass
 // right in another order: cross(c, link.f) - link.torque ==> -link.torque + cross(c, link.f)
 // right always with w x I w: if (link.rotates_inertia) ==>
 // wrong units "Units": link.mass * cross(w, cross(w, c)) ==> link.mass * cross(w, c)

@@ -31,6 +31,9 @@
 // mistake "M keeps what slips through": link.M -= outerProduct(link.Uv, v); ==>
 // mistake "H loses Uv Uw^T: its rows belong to the torque": outerProduct(link.Uw, v) ==>
 //         outerProduct(link.Uv, w)
+// mistake "what slips through takes the place of H: it is subtracted": link.H -= ==> link.H =
+// mistake "what slips through takes the place of M: it is subtracted": link.M -= ==> link.M =
+// mistake "what slips through takes the place of J: it is subtracted": link.J -= ==> link.J =
 // right with the transpose: link.Uv = link.a * link.H; ==> link.Uv = transpose(link.H) * link.a;
 // right with outer alone: link.J -= outerProduct(link.Uw, w); ==> link.J -= link.over_D *
 //         outerProduct(link.Uw, link.Uw);

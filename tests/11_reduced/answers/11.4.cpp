@@ -41,6 +41,10 @@
 //         link.tau = felt
 // mistake "a held joint accelerates as if it were free": if (link.held) { ==> if (false) {
 // mistake "held and not held exchanged": if (link.held) ==> if (!link.held)
+// mistake "divided by over_D, which is 1/D already": link.over_D * (link.k - felt) ==> (link.k -
+//         felt) / link.over_D
+// mistake "D divided by the acceleration": link.D * link.acceleration - link.k ==> link.D /
+//         link.acceleration - link.k
 // right by kind:
   const bool hinge = link.freedom == Freedom::hinge;
   const real missing = link.k - dot(link.Uw, link.alpha) - dot(link.Uv, link.a_A);

@@ -43,10 +43,11 @@ endif()
 # but for what would make a crash or a number without a reason: a forgotten return, a variable that
 # is read before it is set. Where the compiler cannot see the latter, the variable holds a huge
 # number instead of the zero that happens to lie there. An index outside a vector stops the program
-# at once: without the check it reads what happens to lie there.
+# at once: without the check it reads what happens to lie there. So does an array of the function
+# that is too small.
 add_library(workbook_lenient INTERFACE)
 target_compile_definitions(workbook_lenient INTERFACE _GLIBCXX_ASSERTIONS)
-target_compile_options(workbook_lenient INTERFACE
+target_compile_options(workbook_lenient INTERFACE -fstack-protector-strong
   -Wall -Wextra -Werror=return-type -Werror=uninitialized
   -Wno-unused-parameter -Wno-unused-variable -Wno-unused-but-set-variable)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -111,7 +112,6 @@ endfunction()
 function(add_exercise_file target source given)
   add_library(${target} STATIC EXCLUDE_FROM_ALL ${source} ${given})
   target_link_libraries(${target} PUBLIC workbook_options ${ARGN} PRIVATE workbook_lenient)
-  target_compile_options(${target} PRIVATE -fstack-protector-strong)  # arrays that are too small
 endfunction()
 
 # add_chapter(NN_name name [GIVEN sources...] [USES earlier chapters...]) makes

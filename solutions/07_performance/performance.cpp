@@ -74,7 +74,6 @@ std::vector<int> colours_of(const std::vector<BodyPair>& links, const std::vecto
     };
     while (is_taken(link.body1) || is_taken(link.body2)) ++colour;
     for (const int body : {link.body1, link.body2}) {
-      if (!moves[body]) continue;
       if (taken[body].size() <= colour) taken[body].resize(colour + 1);
       taken[body][colour] = true;
     }

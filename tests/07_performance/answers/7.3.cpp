@@ -3,26 +3,26 @@
   std::vector<int> colours(moves.size() + links.size() + 1);
   for (std::size_t k = 0; k < links.size(); ++k) colours[k] = int(k % 2);
   return colours;
-// mistake "every joint has a colour of its own: take the least that is free at its bodies": if
-//         (!moves[body]) continue; ==> ;; (colour) ==> (colours.size())
+// mistake "every joint has a colour of its own: take the least that is free at its bodies":
+//         (colour) ==> (colours.size())
 // wrong "the program crashed: it reached for memory that is not its own": const auto is_taken =
 //         [&](int body) { return moves[body] && colour < taken[body].size() && taken[body][colour];
 //         }; while (is_taken(link.body1) || is_taken(link.body2)) ==> while ((moves[link.body1] &&
 //         taken[link.body1][colour]) || (moves[link.body2] && taken[link.body2][colour])) ;; const
-//         int ==> int ;; if (!moves[body]) continue; ==>
+//         int ==> int
 // expects: std::vector<bool> does not check its own
 // mistake "the colour must be free at both bodies: go on while the one or the other has it": ||
-//         is_taken ==> && is_taken ;; if (!moves[body]) continue; ==>
-// mistake "the colours are counted from 0": 0; ==> 1; ;; if (!moves[body]) continue; ==>
+//         is_taken ==> && is_taken
+// mistake "the colours are counted from 0": 0; ==> 1;
 // expects: Scene: a chain of 4 on a wall
 // mistake "the colour is stored for body 2 of a joint only: it is taken at both": body1, link.body2
-//         ==> body2 ;; if (!moves[body]) continue; ==>
+//         ==> body2
 // mistake "the other way round: the bodies that move are those that no two joints may share":
-//         return moves ==> return ! moves ;; if (!moves[body]) continue; ==>
+//         return moves ==> return ! moves
 // mistake "only body 1 of a joint is tested: the colour must be free at both": ||
-//         is_taken(link.body2) ==> ;; if (!moves[body]) continue; ==>
+//         is_taken(link.body2) ==>
 // mistake "a static body counts: it does not move, so any number of joints may hold it at once":
-//         moves[body] && ==> ;; if (!moves[body]) continue; ==>
+//         moves[body] && ==>
 // expects: joint 1 (bodies 2 and 0 (static))
 // mistake "two colours in turn: that fits a chain and nothing else":
   std::vector<int> colours;

@@ -215,6 +215,8 @@ void measure(FILE* file, const Entry& entry, int repetitions, double unit) {
   }
 }
 
+const std::string followed_methods = "si30 4x8 16x2 velocity shake inertia velocity/8";
+
 // Every method's distance from a reference of the scene, and the range of what it finds. Of several
 // scenes of a kind, of which the first three are followed: the times and errors are medians.
 void follow(FILE* file, const Entry& entry, double patience) {
@@ -281,7 +283,9 @@ int main(int argc, char** argv) {
     if (!options.text("methods").empty())
       for (Entry& entry : list) entry.methods = options.text("methods");
     else
-      for (Entry& entry : list) entry.methods += tree_methods(entry.makes.front());
+      for (Entry& entry : list)
+        entry.methods = (followed ? followed_methods : entry.methods) +
+                        tree_methods(entry.makes.front());
     const double unit = followed ? 0 : textbook_iteration();
     for (const Entry& entry : list)
       if (followed) follow(file, entry, options.number("patience", 0));

@@ -276,8 +276,8 @@ int main(int argc, char** argv) {
     const bool followed = options.flag("followed");
     FILE* file = open_table(
         options.text("csv"), options.flag("append"),
-        followed ? "scene,real,method,roads,seconds,draws,followed,chaotic,given_up,hurried,until_s,"
-                   "agree_m,grown_m,first_second_m,distance_m,finding,expected,found,range"
+        followed ? "scene,real,method,roads,seconds,draws,followed,chaotic,given_up,hurried,"
+                   "until_s,agree_m,grown_m,first_second_m,distance_m,finding,expected,found,range"
                  : "scene,real,method,joints,us_per_step,spread,ratio_to_si30,"
                    "textbook_iterations," + measure_columns + ",held,of,status");
     if (!options.text("methods").empty())

@@ -49,7 +49,7 @@ struct SoftCoefficients {
   real rate;           ///< factor of C in the bias [1/s]: beta/h for hard rows
   real softness;       ///< J V + bias + softness K lambda = 0 is solved [1]; 0 for hard rows
   real mass_scale;     ///< relaxation / (1 + softness) [1]
-  real impulse_scale;  ///< relaxation - mass_scale: 0 for hard rows [1]
+  real impulse_scale;  ///< relaxation * softness / (1 + softness): 0 for hard rows [1]
   real lower, upper;   ///< bounds of the last row's accumulated impulse [N s or N m s]; if the
                        ///< bound follows another impulse, `upper` is the factor RowSettings::upper
 };
@@ -77,7 +77,8 @@ struct Block {
   int first = 0;                    ///< where its rows begin in Blocks::J and Blocks::C
   short rows = 0;                   ///< 1 to 6
   Form form = Form::any;            ///< the form of its rows
-  /// True if C is an error to be removed; false for the deflection of a spring of the joint.
+  /// True if C is an error to be removed. False if only a rate is given, if the bounds follow an
+  /// impulse, or if C is the deflection of a spring of the joint (RowSettings::frequency).
   bool corrects = false;
   RowSettings target;                 ///< feedback, target rate and bounds
   real* impulse = nullptr;          ///< the accumulated impulses [N s or N m s], in the joint

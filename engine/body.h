@@ -40,6 +40,7 @@ struct Body {
   /// joint changes them. A static body that is not kinematic stays where it is, even if v is not
   /// zero: a belt.
   bool kinematic = false;
+  // From here on only steps write: a reader may skip these, up to use_mean_rate().
   bool w_is_mean = false;  ///< w is the mean rate of a step that has begun: see use_mean_rate()
   vec3 precession{0};      ///< mean rate minus the rate at the step's beginning [rad/s, world]
   vec3 mean{0};            ///< the mean rate without the step's impulses [rad/s, world]

@@ -48,8 +48,8 @@ inline Jacobian<3> jacobian_from_blocks(const mat3& v1, const mat3& w1, const ma
   return {{row(0), row(1), row(2)}};
 }
 
-/// A part may return a scalar, a GLM type or an array; to_vector and to_jacobian convert them all
-/// to arrays.
+/// The geometry of a joint is a part: error() returns its C and jacobian() its J (part.h). Both may
+/// return a scalar, a GLM type or an array; to_vector and to_jacobian convert them all to arrays.
 inline Vector<1> to_vector(real a) { return {a}; }
 /// From a 3-vector.
 inline Vector<3> to_vector(const vec3& a) { return {a.x, a.y, a.z}; }

@@ -11,6 +11,7 @@
 #include "chapters/03_hinge/program/door.h"
 #include "chapters/04_slider/program/piston.h"
 #include "chapters/05_fixed/program/hung_ragdoll.h"
+#include "chapters/05_fixed/program/trolley.h"
 #include "chapters/06_baumgarte/program/chain_loop.h"
 #include "chapters/07_performance/hinge_loop.h"
 #include "chapters/08_ground/program/one_box.h"
@@ -172,6 +173,17 @@ LiveScene piston() {
   return live;
 }
 
+LiveScene trolley() {
+  auto holder = std::make_shared<chapter5::Trolley>(usual);
+  LiveScene live = held(holder);
+  live.heavy = 1;
+  live.before = [&trolley = *holder](double) { trolley.pull(); };
+  live.own = [&trolley = *holder](Bodies& bodies, const PageSettings& page, const vec3& gravity) {
+    trolley.step(bodies, gravity, int(page.iterations), real(page.beta), real(page.h));
+  };
+  return live;
+}
+
 LiveScene ragdoll() { return held(std::make_shared<chapter5::HungRagdoll>(usual)); }
 
 LiveScene between() {
@@ -253,7 +265,10 @@ const std::vector<Entry>& entries() {
       {"piston", "piston", {"4"}, piston,
        "A motor, at first of 80 N, moves 5 kg up and down between two limits. It cannot lift a "
        "weight above its strength."},
-      {"ragdoll", "ragdoll", {"5"}, ragdoll, "Hung by one hand: four balls, one weld, one grip."},
+      {"trolley", "trolley", {"5"}, trolley,
+       "Welded arms on a sleeve that a spring pulls. In the chapter's own loop what is loaded too "
+       "much breaks and keeps its pin."},
+      {"ragdoll", "ragdoll", {}, ragdoll, "Hung by one hand: four balls, one weld, one grip."},
       {"between", "between walls", {}, between,
        "Three blows at a chain that has hardly room to move: a loop of joints."},
       {"box", "box", {"8"}, box, "It falls, tips and comes to rest: rows that only push, and rub."},

@@ -138,7 +138,7 @@ LiveScene chain() {
                                                       usual.beta);
   LiveScene live = held(holder);
   live.heavy = 12;
-  live.own = [&world = holder->scene.world, loop = ChainLoop()](
+  live.own = [&world = holder->scene.world, loop = ChainLoop(), impulses = std::vector<vec3>()](
                  Bodies& bodies, const PageSettings& page, const vec3& gravity) mutable {
     loop.chain.bodies = taken(bodies);
     loop.chain.joints.clear();
@@ -147,7 +147,12 @@ LiveScene chain() {
     loop.settings = {real(page.beta), page.warm != 0, int(page.projections),
                      int(page.iterations)};
     loop.gravity = gravity;
-    loop.step(real(page.h));
+    impulses.resize(loop.chain.joints.size());
+    if (page.frequency > 0)
+      soft_step(loop.chain, impulses, {real(page.frequency), real(page.damping),
+                                       int(page.substeps)}, gravity, real(page.h));
+    else
+      loop.step(real(page.h));
     give_back(loop.chain.bodies, bodies);
   };
   return live;

@@ -41,11 +41,13 @@ Vector<N> solved(Matrix<N> A, Vector<N> b) {
 /// orientation, and are gone once the joint is broken.
 template <int N>
 struct Held {
-  Jacobian<N> J{};
-  Matrix<N> K{};
-  Vector<N> bias{}, impulse{};
-  bool broken = false;
+  Jacobian<N> J{};      ///< its rows
+  Matrix<N> K{};        ///< by the exercises [1/kg, 1/(kg m) or 1/(kg m^2)]
+  Vector<N> bias{};     ///< beta C / h [unit of each row per s]
+  Vector<N> impulse{};  ///< accumulated in the step [N s or N m s]
+  bool broken = false;  ///< only the first half is solved
 
+  /// Solves the rows for the present velocities.
   void iterate(Body& body1, Body& body2) {
     const int rows = broken ? N / 2 : N;
     Vector<N> error{};
@@ -69,16 +71,17 @@ struct Trolley {
     int body1, body2;   ///< slots
     Weld weld;          ///< its anchor is beside the seam
     vec3 middle_local;  ///< of the seam [m, in the space of body 2]
-    Strength strength;
-    Held<6> rows{};
+    Strength strength;  ///< what it bears, about the middle of the seam
+    Held<6> rows{};     ///< of the present step
   };
   Scene scene{.name = "trolley"};  ///< world, solver, marks and shapes
-  std::vector<Seam> seams;
+  std::vector<Seam> seams;         ///< all welds
   Kit kit;                         ///< of the sleeve
-  Held<4> sleeve_rows{};
-  Strength sleeve_strength{.torque = 800};
+  Held<4> sleeve_rows{};           ///< of the present step
+  Strength sleeve_strength{.torque = 800};  ///< about a point of the shaft
   static constexpr real stiffness = 300;  ///< of the spring [N/m]
 
+  /// Makes the scene.
   explicit Trolley(const Settings& settings) {
     scene.solver.iterations = 10;
     scene.h = real(0.016);

@@ -53,19 +53,20 @@ def cycle(ax):
 
 def levels(ax):
     """Every group on its level, which is above all that it includes."""
-    title(ax, 340, "a folder includes only what stands below it", 500)
+    top = 112 + 52 * max(layers.levels(ROOT).values())
+    title(ax, 340, "a folder includes only what stands below it", top)
     for name, level in sorted(layers.levels(ROOT).items()):
         row = [other for other in GROUPS if layers.levels(ROOT)[other] == level]
         place = (360 + 152 * (row.index(name) - (len(row) - 1) / 2), 52 + 52 * level)
         box(ax, place, (290 if name == "core" else 144, 40), name, GROUPS[name],
             BODY1 if name in ENGINE else BODY2 if name in EXERCISES else FAINT,
             f"{name} on level {level}")
-    arrow(ax, (28, 470), (28, 40), ARROW, 3)
+    arrow(ax, (28, top - 30), (28, 40), ARROW, 3)
     words(ax, (14, 255), "includes", ARROW, 12, rotation=90)
-    below(ax, 120, "blue: the engine", 482, BODY1)
-    below(ax, 560, "orange: what you write", 482, BODY2)
+    below(ax, 120, "blue: the engine", top - 18, BODY1)
+    below(ax, 560, "orange: what you write", top - 18, BODY2)
 
 
 if __name__ == "__main__":
     draw(__doc__, "architecture", step=((cycle,), (0, 760, 190, 376)),
-         architecture=((levels,), (0, 690, 20, 522)))
+         architecture=((levels,), (0, 690, 20, 134 + 52 * max(layers.levels(ROOT).values()))))

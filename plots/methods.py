@@ -157,8 +157,7 @@ def draw_maps(rows, methods, path):
         return 100 * max(-row["energy_drift"] for row in of[name])
     if "energy" not in path.name:
         draw_map(rows, list(of), path, error_of, (1, 10, 100),
-                 f"Held in all {len(of[always[0]])} cases: " + "; ".join(
-                     TITLES[name].replace("\n", " ") for name in always),
+                 f"{len(always)} of {len(of)} methods hold all {len(of[always[0]])} cases",
                  ("gap below 1 mm", "to 10 mm", "to 100 mm", "above"))
         return
     draw_map([row for row in rows if np.isfinite(row["energy_drift"]) or not held(row)], list(of),

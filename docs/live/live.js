@@ -196,7 +196,9 @@ async function from_address() {
   return address;
 }
 // What a chapter's exercises do most in, besides a scene.
-const of_chapter = own => data.chapter === 9 ? {direct: 1, ...with_direct} : {own};
+const of_chapter = own => data.chapter === 9 ? {direct: 1, ...with_direct}
+  : own > 1 ? {own: 1, frequency: 60, damping: 5, substeps: 4}  // the soft step of exercise 6.4
+  : data.chapter === 6 && own ? {own, warm: 1, projections: 1} : {own};
 
 const keys = {" ": () => play(!playing), ArrowRight: () => $("one").click(),
               i: () => $("iteration").click(), b: () => $("block").click()};

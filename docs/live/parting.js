@@ -87,7 +87,7 @@ async function find_where_they_part(usual) {
   parting = [];
   if (!compared()) return;
   for (const found of [usual, ...about.scenes.filter(each => each !== usual)])
-    for (const own of found.own ? [1, 0] : [0]) {
+    for (const own of !found.own ? [0] : data.chapter === 6 ? [1, 2, 0] : [1, 0]) {
       if (parting.some(one => one.found === found)) continue;
       const settings = {...own_settings(about, found), ...of_chapter(own)};
       const one = await difference(found.name, settings, found === usual ? LONG : SHORT);

@@ -8,9 +8,11 @@
 #include "bench/chapters/08_ground/wheels.h"
 #include "bench/scenes.h"
 #include "chapters/01_distance/program/scenes.h"
+#include "chapters/02_ball/ball.h"
 #include "chapters/03_hinge/program/door.h"
 #include "chapters/04_slider/program/piston.h"
 #include "chapters/05_fixed/program/hung_ragdoll.h"
+#include "chapters/05_fixed/program/trolley.h"
 #include "chapters/06_baumgarte/program/chain_loop.h"
 #include "chapters/07_performance/hinge_loop.h"
 #include "chapters/08_ground/program/one_box.h"
@@ -83,6 +85,52 @@ LiveScene linked(const chapter1::LinkScene& from) {
 
 LiveScene pendulum() { return linked(chapter1::pendulum()); }
 
+// A plank on three rods whose ends are beside the centres.
+LiveScene swing() {
+  const auto holder = std::make_shared<Held<Scene>>();
+  Scene& scene = holder->scene;
+  scene.energy_scale = 10;
+  const BodyId beam = scene.box(0, vec3(real(1.6), real(0.1), real(0.5)), vec3(0, 1, 0),
+                                rotation(vec3(0, real(0.3), 0)));
+  const BodyId plank = scene.box(3, vec3(real(1.2), real(0.15), real(0.6)), vec3(0, real(-0.3), 0),
+                                 rotation(vec3(real(0.2), real(-0.2), real(0.15))));
+  scene.world.bodies[plank].w = vec3(0, real(1.5), real(0.5));
+  const Bodies& bodies = scene.world.bodies;
+  for (const vec3& corner : {vec3(real(0.55), 0, real(0.2)), vec3(real(-0.55), 0, real(0.2)),
+                             vec3(real(0.1), 0, real(-0.25))}) {
+    scene.world.add<DistanceJoint>(beam, plank, world_point(bodies[beam], corner),
+                                   world_point(bodies[plank], corner));
+    const std::array<double, 3> end{double(corner.x), double(corner.y), double(corner.z)};
+    scene.segments.push_back({int(beam.slot), int(plank.slot), end, end});
+  }
+  scene.gaps = [&scene](GapMeter& meter) {
+    for (const auto& joint : scene.world.joints()) {
+      const auto& rod = static_cast<const DistanceJoint&>(*joint);
+      meter.add(std::abs(double(rod.part.error(scene.world.bodies[rod.body1],
+                                               scene.world.bodies[rod.body2]))));
+    }
+  };
+  LiveScene live = held(holder);
+  live.heavy = int(plank.slot);
+  return live;
+}
+
+// A box that nothing holds: it tumbles about its middle axis.
+LiveScene tumbler() {
+  const auto holder = std::make_shared<Held<Scene>>();
+  Scene& scene = holder->scene;
+  scene.world.gravity = vec3(0);
+  const BodyId id = scene.box(2, vec3(real(1.4), real(0.25), real(0.7)), vec3(0),
+                              rotation(vec3(real(0.3), real(0.5), real(-0.2))));
+  Body& box = scene.world.bodies[id];
+  box.w = to_world(box, vec3(real(0.1), real(0.2), 4));
+  LiveScene live = held(holder);
+  live.own = [](Bodies& bodies, const PageSettings& page, const vec3&) {
+    tumble(bodies.at(0), real(page.h));
+  };
+  return live;
+}
+
 LiveScene ropes() { return linked(chapter1::bridge()); }
 
 LiveScene chain() {
@@ -90,7 +138,7 @@ LiveScene chain() {
                                                       usual.beta);
   LiveScene live = held(holder);
   live.heavy = 12;
-  live.own = [&world = holder->scene.world, loop = ChainLoop()](
+  live.own = [&world = holder->scene.world, loop = ChainLoop(), impulses = std::vector<vec3>()](
                  Bodies& bodies, const PageSettings& page, const vec3& gravity) mutable {
     loop.chain.bodies = taken(bodies);
     loop.chain.joints.clear();
@@ -99,7 +147,12 @@ LiveScene chain() {
     loop.settings = {real(page.beta), page.warm != 0, int(page.projections),
                      int(page.iterations)};
     loop.gravity = gravity;
-    loop.step(real(page.h));
+    impulses.resize(loop.chain.joints.size());
+    if (page.frequency > 0)
+      soft_step(loop.chain, impulses, {real(page.frequency), real(page.damping),
+                                       int(page.substeps)}, gravity, real(page.h));
+    else
+      loop.step(real(page.h));
     give_back(loop.chain.bodies, bodies);
   };
   return live;
@@ -158,6 +211,39 @@ LiveScene door() {
   return live;
 }
 
+// A wheel whose motor turns round every 1.5 s, with a load that is always the same.
+LiveScene flywheel() {
+  const auto holder = std::make_shared<Held<Scene>>();
+  Scene& scene = holder->scene;
+  scene.energy_scale = 100;
+  const BodyId axle = scene.box(0, vec3(real(0.1), real(0.1), real(0.6)), vec3(0));
+  const BodyId wheel = scene.box(10, vec3(1, 1, real(0.2)), vec3(0));
+  auto& hinge = scene.world.add<HingeJoint>(axle, wheel, vec3(0), vec3(0, 0, 1));
+  scene.mark(axle, wheel, vec3(0), vec3(0, 0, 1));
+  LiveScene live = held(holder);
+  live.heavy = int(wheel.slot);
+  const auto motor = std::make_shared<Motor>();
+  live.speed = 4;
+  live.strength = 10;
+  live.drive = [motor](real speed, real strength) { *motor = {speed, strength}; };
+  live.before = [motor, &hinge](double time) {
+    const real side = int(time / 1.5) % 2 == 0 ? real(1) : real(-1);
+    hinge.set_motor(side * motor->speed, motor->strength);
+  };
+  live.own = [motor, time = 0.0](Bodies& bodies, const PageSettings& page, const vec3&) mutable {
+    Body& body = bodies.at(1);
+    const real K = body.inverse_inertia_local.z, h = real(page.h);
+    const Motor now{int(time / 1.5) % 2 == 0 ? motor->speed : -motor->speed, motor->strength};
+    time += page.h;
+    body.w.z -= 3 * h * K;  // the load, 3 N m
+    real sum = 0;
+    for (int k = 0; k < int(page.iterations); ++k)
+      body.w.z += K * motor_impulse(body.w.z, K, now, h, sum);
+    integrate_pose(body, h);
+  };
+  return live;
+}
+
 LiveScene piston() {
   auto holder = std::make_shared<chapter4::Piston>(usual, usual.whole);
   LiveScene live = held(holder);
@@ -169,6 +255,17 @@ LiveScene piston() {
   live.before = [&piston = *holder](double time) { piston.turn_round(time); };
   live.speed = holder->speed;
   live.strength = holder->strength;
+  return live;
+}
+
+LiveScene trolley() {
+  auto holder = std::make_shared<chapter5::Trolley>(usual);
+  LiveScene live = held(holder);
+  live.heavy = 1;
+  live.before = [&trolley = *holder](double) { trolley.pull(); };
+  live.own = [&trolley = *holder](Bodies& bodies, const PageSettings& page, const vec3& gravity) {
+    trolley.step(bodies, gravity, int(page.iterations), real(page.beta), real(page.h));
+  };
   return live;
 }
 
@@ -240,21 +337,30 @@ const std::vector<Entry>& entries() {
        "One rod, one row. With beta 0 the rod drifts; above 2 it tears."},
       {"ropes", "rope bridge", {"1.5"}, ropes,
        "The thesis' bridge: eight cubes on nine ropes, which only pull."},
+      {"swing", "swing", {"1.6"}, swing, "A plank on three rods, held beside its centre."},
       {"chain", "chain of 12", {"2", "6"}, chain,
        "Each iteration passes the load on from link to link: watch the gap."},
+      {"tumbler", "tumbler", {"2.5"}, tumbler,
+       "Nothing holds this box. About its middle axis it cannot rotate for long."},
       {"hinges", "hinges", {"7"}, hinges, "Twelve cubes on hinges: five rows a joint."},
       {"heavy", "heavy end", {"9"}, heavy,
        "A heavy ball, at first of 100 times a link's mass: iterations stretch the chain, the "
        "direct solver does not."},
-      {"bridge", "plank bridge", {}, bridge,
+      {"bridge", "planks", {}, bridge,
        "Ten planks, eleven hinges that rub, and a crate that falls on them."},
       {"door", "door", {"3"}, door,
        "Pushed open, held by a limit at 110 degrees, closed by a motor."},
+      {"flywheel", "flywheel", {"3.5"}, flywheel,
+       "A motor of at most 10 N m turns it to and fro. In the chapter's own loop a load of 3 N m "
+       "pulls as well."},
       {"piston", "piston", {"4"}, piston,
        "A motor, at first of 80 N, moves 5 kg up and down between two limits. It cannot lift a "
        "weight above its strength."},
-      {"ragdoll", "ragdoll", {"5"}, ragdoll, "Hung by one hand: four balls, one weld, one grip."},
-      {"between", "between walls", {}, between,
+      {"trolley", "trolley", {"5"}, trolley,
+       "Welded arms on a sleeve that a spring pulls. In the chapter's own loop what is loaded too "
+       "much breaks and keeps its pin."},
+      {"ragdoll", "ragdoll", {}, ragdoll, "Hung by one hand: four balls, one weld, one grip."},
+      {"between", "walls", {}, between,
        "Three blows at a chain that has hardly room to move: a loop of joints."},
       {"box", "box", {"8"}, box, "It falls, tips and comes to rest: rows that only push, and rub."},
       {"wheels", "wheels", {}, wheels,

@@ -321,12 +321,12 @@ def an_endless_loop_stops_alone(root, build):
             break
     if shown(here).count("gap") != 2 or said(here):
         yield f"without the loop: {shown(here)}, {said(here)}"
-    here.click("#scenes button:nth-child(1)")
+    here.click("#scenes [name=pendulum]")
     here.wait(says("never to end"))
     here.wait("time > 1 && playing")
     if "yours: stopped at" not in said(here) or here.ask("panels[1].stopped"):
         yield f"with the loop: {said(here)}"
-    here.click("#scenes button:nth-child(11)")
+    here.click("#scenes [name=box]")
     here.wait("entry.name === 'box' && (panels[0].stopped ? $('again').click() : time > 0.5)")
 
 

@@ -6,18 +6,15 @@ import json
 import lzma
 import sys
 import tarfile
-import time
 import xml.etree.ElementTree as ElementTree
 import zipfile
-from collections import Counter
 from pathlib import Path
-from unittest.mock import patch
 
 from door import CHAPTER, Door
 from front_door_test import typed
 from proofs import exercises, house, main
 
-from classroom import collecting, grading, results
+from classroom import grading, results
 
 FILE = "distance.cpp"
 LIMIT = "5"  # processor time of an exercise [s]: numbers through a pipe take about a second
@@ -333,32 +330,7 @@ def chapters_compiled_in_their_own_way_are_graded(root, build):
                     if one.words() != "done")
 
 
-def a_limit_is_tried_again_alone(root, build):
-    """what did not end beside others is judged once more, alone; everything else once"""
-    chapter, calls, running = house.chapter_of("1"), [], []
-
-    def judged(text, *_):
-        running.append(text)
-        time.sleep(0.05)
-        calls.append((text, len(running) == 1))
-        running.remove(text)
-        first = sum(one == text for one, _ in calls) == 1
-        ends = text == "right" or text == "late" and not first
-        return [grading.grading.Grade(id_, "done") if ends else grading.grading.Grade(
-            id_, "wrong", failures=[("", "it did not end within 4 seconds")]) for id_ in IDS], []
-    class_ = [collecting.Submission(text, {chapter.folder: collecting.File(FILE, text, "")})
-              for text in ("endless", "late", "right")]
-    with patch.multiple(grading, grade_text=judged, plan_of=lambda _: None):
-        grading.grade_all(class_, [chapter])
-    found = {one.name: one.done(IDS) for one in class_}
-    if found != {"endless": 0, "late": 6, "right": 6}:
-        yield f"done: {found}"
-    if Counter(text for text, _ in calls) != {"endless": 2, "late": 2, "right": 1} or \
-            sorted(calls[3:]) != [("endless", True), ("late", True)]:
-        yield f"judged, and whether alone: {calls}"
-
-
-PROOFS = [every_submission_is_judged, what_is_expected_is_said, a_limit_is_tried_again_alone,
+PROOFS = [every_submission_is_judged, what_is_expected_is_said,
           chapters_compiled_in_their_own_way_are_graded]
 
 if __name__ == "__main__":

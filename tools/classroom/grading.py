@@ -120,21 +120,15 @@ def grade_all(submissions, chapters):
     house.configure()
     plans = {chapter.folder: plan_of(chapter) for chapter in
              {folder: chapter for (folder, _), (chapter, _) in jobs.items()}.values()}
-    judged = {}
     with house.talking(), ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        running = {pool.submit(grade_text, key[1], jobs[key][0], plans[key[0]]): key
-                   for key in jobs}
+        running = {pool.submit(grade_text, text, chapter, plans[folder]): all_
+                   for (folder, text), (chapter, all_) in jobs.items()}
         for count, job in enumerate(as_completed(running), 1):
-            judged[running[job]] = job.result()
+            grades, notes = job.result()
+            for one in running[job]:
+                one.grades |= {grade.id: grade for grade in grades}
+                one.notes += notes
             house.progress(f"{count} of {len(jobs)} files graded")
-    for (folder, text), (grades, notes) in judged.items():
-        chapter, all_ = jobs[folder, text]
-        if any("did not end" in report for one in grades for _, report in one.failures):
-            house.progress("what did not end beside others is tried again alone")
-            grades, notes = grade_text(text, chapter, plans[folder])
-        for one in all_:
-            one.grades |= {grade.id: grade for grade in grades}
-            one.notes += notes
     house.progress_done()
 
 

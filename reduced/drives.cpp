@@ -56,6 +56,7 @@ void Drive::begin(const TreeLink& link, real h, bool first) {
 
   // The spring. Soft ones by the midpoint rule in both halves, stiff ones implicitly.
   added = spring = 0;
+  clipped = 0;
   const auto [stiffness, damping, rest, strength] = s.spring;
   if (!s.spring.acts()) return;
   const real half = h / 2, D = std::max(link.D, std::numeric_limits<real>::min());
@@ -69,6 +70,12 @@ void Drive::begin(const TreeLink& link, real h, bool first) {
              damping * link.rate;
     added = half * (stiffness * half * of_k + damping * of_c);
   }
+  const int k = place / 2;  // its strength is reached or not at a rate of this place
+  const real high = k < count ? thresholds[k].rate : unbounded;
+  const real low = place % 2 == 1 ? high : k > 0 ? thresholds[k - 1].rate : -unbounded;
+  const real rate = std::clamp(link.rate + half * link.acceleration, low, high);
+  const real linear = spring - added / half * (rate - link.rate);
+  clipped = linear > strength ? 1 : linear < -strength ? -1 : 0;
 }
 
 real Drive::force(int number) const {
@@ -97,28 +104,38 @@ real Drive::spring_force(const TreeLink& link) const {
                       : spring - added * link.acceleration;
 }
 
-bool Drive::right(const TreeLink& link, real base, real half, int& to, int& clip) const {
-  to = place;
-  clip = clipped;
+Drive::Span Drive::span(const TreeLink& link, real base, real half) const {
   const int k = place / 2;
   if (link.held) {
-    const real force_of_drives = link.tau - spring_force(link);
-    const real least = force(k + 1), most = force(k);
     const real slop = 64 * epsilon * (std::abs(link.tau) + std::abs(spring));
-    if (force_of_drives > most + slop) to = place - 1;
-    if (force_of_drives < least - slop) to = place + 1;
+    return {force(k + 1), force(k), link.tau - spring_force(link), slop};
+  }
+  const real slop = 64 * epsilon * (std::abs(base) + std::abs(half * link.acceleration));
+  Span span{k > 0 ? thresholds[k - 1].rate : -unbounded,
+            k < count ? thresholds[k].rate : unbounded, base + half * link.acceleration, slop};
+  if (const real strength = settings.spring.strength; added > 0 && strength < unbounded) {
+    const real slow = base + half * (spring - strength) / added;  // below, all of the strength
+    const real fast = base + half * (spring + strength) / added;
+    if (clipped < 1) span.least = std::max(span.least, clipped == 0 ? slow : fast);
+    if (clipped > -1) span.most = std::min(span.most, clipped == 0 ? fast : slow);
+  }
+  return span;
+}
+
+void Drive::cross(const Span& span) {
+  const int k = place / 2, side = span.side();
+  if (place % 2 == 1) {  // more force than there is: slower than the threshold
+    at = thresholds[k].rate;
+    place -= side;
+    return;
+  }
+  at = side > 0 ? span.most : span.least;
+  if (side > 0 ? k < count && at == thresholds[k].rate : k > 0 && at == thresholds[k - 1].rate) {
+    place += side;
+    at = force(k);
   } else {
-    const real rate = base + half * link.acceleration;
-    const real slop = 64 * epsilon * (std::abs(base) + std::abs(half * link.acceleration));
-    if (k > 0 && rate < thresholds[k - 1].rate - slop) to = place - 1;
-    if (k < count && rate > thresholds[k].rate + slop) to = place + 1;
+    clipped -= side;
   }
-  const real strength = settings.spring.strength;
-  if (to == place && settings.spring.acts() && strength < unbounded) {
-    const real linear = spring - added * link.acceleration;
-    clip = linear > strength ? 1 : linear < -strength ? -1 : 0;
-  }
-  return to == place && clip == clipped;
 }
 
 void Drive::add_impulses(const TreeLink& link, real half) {

@@ -43,6 +43,7 @@ struct Drive {
   int held_item = -1;      ///< the item of the last half step's threshold; -1: at none
   real spring = 0;         ///< force of the spring at acceleration 0 [N m or N]
   real added = 0;          ///< decrease of that force per unit of acceleration [kg m^2 or kg]
+  real at = 0;             ///< how far its force or rate has come along the path of all drives
   int clipped = 0;         ///< its strength is reached: sign of its force, or 0
   std::array<real, 4> impulse{};  ///< of motor, friction, limits, spring in this step [N m s, N s]
 
@@ -53,9 +54,17 @@ struct Drive {
   /// \return true if the inertia has to be eliminated again \param base the rate at the beginning
   /// of the half step [rad/s or m/s] \param half length of the half step [s]
   bool apply(TreeLink& link, real base, real half) const;
-  /// True if force and rate agree with the place; otherwise `to` is the neighbour to try. A spring
-  /// at its strength is a place, too. \param base, half as in apply()
-  bool right(const TreeLink& link, real base, real half, int& to, int& clip) const;
+  /// What is free in a place, force at a threshold or rate between two, and where the place ends.
+  struct Span {
+    real least, most, value, slop;
+    /// On which side of the place the value is; 0: within it.
+    int side() const { return value > most + slop ? 1 : value < least - slop ? -1 : 0; }
+  };
+  /// The span at the link's present acceleration; a spring at its strength is a place, too.
+  /// \param base, half as in apply()
+  Span span(const TreeLink& link, real base, real half) const;
+  /// Goes to the neighbouring place on the side of the value.
+  void cross(const Span& span);
   /// Adds the impulses of a half step. \param half its length [s]
   void add_impulses(const TreeLink& link, real half);
 

@@ -189,26 +189,46 @@ Tree::Change Tree::end_kick(real half) {
 }
 
 // Moves drives whose force or rate disagrees with their place to the neighbouring place: all at
-// once, and once that has not helped for some passes, only the last of them (Murty's rule of the
-// least index). \return true if there was one
+// once, and once that has not helped for some passes, one by one along a path that ends: forces and
+// rates begin anywhere in their places and go the greatest share of the way to the present ones
+// that no place forbids; only the drive that is stopped there changes its place (Katzenelson).
+// \return true if there was one
 bool Tree::correct_places(real half, int pass, bool& inertia) {
   constexpr int patience = 5, most_passes = 2000;
   if (pass == 0) fewest_wrong_ = int(drives_.size()) + 1, passes_without_gain_ = 0;
   if (pass == most_passes) wrong_ = std::max(wrong_, fewest_wrong_);
   if (drives_.empty() || pass == most_passes) return false;
-  const bool one = passes_without_gain_ >= patience;
-  int wrong = 0, place = 0, clip = 0;
+  const bool path = passes_without_gain_ >= patience, begins = passes_without_gain_ == patience;
+  int wrong = 0;
+  real share = 1;
+  Drive* stopped = nullptr;
   inertia = false;
-  for (auto drive = drives_.rbegin(); drive != drives_.rend(); ++drive) {
-    TreeLink& link = links[drive->link];
-    const real base = base_rates_[std::size_t(drive->link)];
-    if (drive->right(link, base, half, place, clip)) continue;
-    if (++wrong > 1 && one) continue;
-    drive->place = place;
-    drive->clipped = clip;
-    if (drive->apply(link, base, half)) inertia = true;
+  const auto span_of = [&](const Drive& drive) {
+    return drive.span(links[drive.link], base_rates_[std::size_t(drive.link)], half);
+  };
+  const auto cross = [&](Drive& drive) {
+    drive.cross(span_of(drive));
+    if (drive.apply(links[drive.link], base_rates_[std::size_t(drive.link)], half)) inertia = true;
+  };
+  for (Drive& drive : drives_) {
+    const Drive::Span span = span_of(drive);
+    const int side = span.side();
+    const real bound = side > 0 ? span.most : span.least;
+    wrong += side != 0;
+    if (begins) {  // unequal distances from the bounds, lest many reach theirs together
+      const real away = (1 + real(drive.link) / real(links.size())) * (bound - span.value);
+      drive.at = side == 0 ? span.value : std::clamp(bound + away, span.least, span.most);
+    }
+    if (side == 0) continue;
+    if (!path) cross(drive);
+    const real part = (bound - drive.at) / (span.value - drive.at);
+    if (path && (!stopped || part < share)) share = part, stopped = &drive;
   }
-  passes_without_gain_ = wrong < fewest_wrong_ ? 0 : passes_without_gain_ + 1;
+  if (stopped) {
+    for (Drive& drive : drives_) drive.at += share * (span_of(drive).value - drive.at);
+    cross(*stopped);
+  }
+  passes_without_gain_ = !path && wrong < fewest_wrong_ ? 0 : passes_without_gain_ + 1;
   fewest_wrong_ = std::min(fewest_wrong_, wrong);
   return wrong > 0;
 }

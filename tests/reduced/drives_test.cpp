@@ -176,11 +176,11 @@ TEST_CASE("limits of drawn arms hold to a millionth, and a coordinate that hits 
   CHECK(gained < 0.1);
 }
 
-TEST_CASE("drawn arms with drives of every kind, strong and weak, run and keep their limits") {
+TEST_CASE("drawn arms with drives of every kind end each step with forces that fit the rates") {
   Random random(52004);
-  double worst = 0;
-  int live = 0, ran = 0, said = 0;
-  const int arms = 60;
+  double worst = 0, misfit = 0;  // of limits; of forces, relative to their bounds
+  int live = 0, ran = 0, said = 0, at_bounds = 0;
+  const int arms = 360;
   for (int n = 0; n < arms; ++n) {
     const real size = std::pow(real(10), random.uniform(-2, 1));
     Arm arm = drawn_arm(random, 2 + n % 20, size, 1, Root(n % 3));
@@ -201,26 +201,46 @@ TEST_CASE("drawn arms with drives of every kind, strong and weak, run and keep t
       joint.set_limits(-random.uniform(0, real(0.3)) * unit, random.uniform(0, real(0.3)) * unit);
     });
     Reduced tree(arm.world);
+    std::vector<double> before;
     for (int k = 0; k < 60; ++k) {
+      before.clear();
+      arm.for_each([&](auto& joint) { before.push_back(joint.position(arm.world.bodies)); });
       tree.step(arm.world, h);
       said += tree.report().wrong > 0;
       if (tree.report().wrong > 0) break;  // the rest of this run begins beyond a limit
+      std::size_t at = 0;
       arm.for_each([&](auto& joint) {
-        const real unit = std::is_same_v<decltype(joint), SliderJoint&> ? size : real(1);
-        const real x = joint.position(arm.world.bodies);
+        const double unit = std::is_same_v<decltype(joint), SliderJoint&> ? size : real(1);
+        const double x = joint.position(arm.world.bodies), half_way = (x - before[at++]) / h;
         const Range range = joint.limits();
-        worst = std::max({worst, double((range.lower - x) / unit),
-                          double((x - range.upper) / unit)});
+        worst = std::max({worst, (range.lower - x) / unit, (x - range.upper) / unit});
         live += joint.limit_force() != 0;
+        // slower than wanted in both halves of the step: all that it has; faster: all against it
+        const auto compare = [&](double wanted, double force, double strength) {
+          if (!(strength > 0)) return;
+          const double slower = wanted - std::max(half_way, double(joint.speed(arm.world.bodies)));
+          const double faster = std::min(half_way, double(joint.speed(arm.world.bodies))) - wanted;
+          const double slop = tolerance(1e-9, 1e-3) * unit;
+          const int sign = slower > slop ? 1 : faster > slop ? -1 : 0;
+          at_bounds += sign != 0;
+          misfit = std::max(misfit, sign != 0 ? std::abs(force / strength - sign)
+                                              : std::abs(force) / strength - 1);
+        };
+        compare(0, joint.friction_force(), joint.friction());
+        if (!(joint.target() < unbounded))
+          compare(joint.motor().speed, joint.motor_force(), joint.motor().strength);
       });
     }
     ran += all_finite(arm.world);
   }
-  INFO("worst " << worst << ", live " << live << ", said " << said);
-  CHECK(said <= 5);
+  INFO("worst " << worst << ", live " << live << ", said " << said << ", misfit " << misfit
+                << ", at bounds " << at_bounds);
+  CHECK(said == 0);
   CHECK(ran == arms);
   CHECK(worst < tolerance(1e-6, 1e-3));
-  CHECK(live > 5000);
+  CHECK(misfit < tolerance(1e-9, 1e-2));
+  CHECK(live > 30000);
+  CHECK(at_bounds > 30000);
 }
 
 TEST_CASE("a motor exerts its bound until it reaches its speed, then the torque that it needs") {

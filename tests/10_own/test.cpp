@@ -211,6 +211,9 @@ const Subject own_subject{"10.5", "a part of your own"};
 
 // The reader's part as the checker wants it.
 PartFunctions functions_of_own(const OwnPart& part) {
+  testing::check(own_subject, part.rows < 1 || part.rows > 6 || !part.error || !part.jacobian
+                                  ? "a part has 1 to 6 rows, and functions for C and J"
+                                  : "");
   const std::size_t rows = std::size_t(part.rows);
   PartFunctions out{part.rows, part.one_sided, Form::any, nullptr, nullptr, nullptr, {}};
   out.C = [=](const Pair& at) {

@@ -42,8 +42,8 @@ struct Answerer {
     std::signal(SIGPIPE, SIG_IGN);
   }
 
-  /// Its last words, and the status with which it has ended.
-  std::string end() {
+  /// Its last words, and the status with which it has ended. What was too late has been ended here.
+  std::string end(bool late) {
     close(to);
     close(from);
     int status = 0;
@@ -56,7 +56,9 @@ struct Answerer {
     const long size = lseek(fileno(words), 0, SEEK_END);
     const ssize_t count = pread(fileno(words), last, sizeof last,
                                 std::max(0L, size - long(sizeof last)));
-    const int code = WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
+    const int code = late                  ? -SIGALRM
+                     : WIFSIGNALED(status) ? -WTERMSIG(status)
+                                           : WEXITSTATUS(status);
     return std::string(last, std::size_t(std::max<ssize_t>(0, count))) + "\nended with status " +
            std::to_string(code);
   }
@@ -83,7 +85,8 @@ void exchange(const std::string& id, const std::string& key, Bytes& arguments,
   if (early) kill(answerer.process, SIGKILL);
   if (!early) send(answerer.to, Kind::call, call.data + arguments.data);
   static const int patience = std::atoi(std::getenv("WORKBOOK_PATIENCE"));  // it may sleep [ms]
-  for (Kind kind; !early && poll(&back, 1, patience) > 0 &&
+  bool late = false;
+  for (Kind kind; !early && !(late = poll(&back, 1, patience) == 0) &&
                   receive(answerer.from, kind, arguments);) {
     if (kind == Kind::result) {
       if (known.size() > 100000) known.clear();
@@ -102,7 +105,7 @@ void exchange(const std::string& id, const std::string& key, Bytes& arguments,
       send(answerer.to, Kind::thrown, error.what());
     }
   }
-  ended[key] = "Exercise " + id + ": " + answerer.end();
+  ended[key] = "Exercise " + id + ": " + answerer.end(late);
   throw std::runtime_error(ended[key]);
 }
 

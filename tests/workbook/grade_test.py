@@ -1,4 +1,5 @@
 """The results of ./wb grade for the submissions of a class: grade_test.py ROOT BUILD"""
+import contextlib
 import csv
 import hashlib
 import io
@@ -9,12 +10,14 @@ import tarfile
 import xml.etree.ElementTree as ElementTree
 import zipfile
 from pathlib import Path
+from unittest import mock
 
 from door import CHAPTER, Door
 from front_door_test import typed
 from proofs import exercises, house, main
 
-from classroom import grading, results
+from classroom import collecting, grading, results, submission
+from judge import runs
 
 FILE = "distance.cpp"
 LIMIT = "5"  # processor time of an exercise [s]: numbers through a pipe take about a second
@@ -195,6 +198,9 @@ def answers(c):
                  "does the code call exit()?"),
         "early": ("#include <cstdlib>\n" + text + "const int early = (std::exit(0), 1);\n",
                   "DDDDDD", "What is added outside the exercises was left out"),
+        "spoiler": (c.answer("1.6", "return {};\n}\n[[maybe_unused]] const int early = (std::exit(0), 1);\n"
+                             "[[maybe_unused]] Row other(const Body&, const Body&) {\n  return {};",
+                             "#include <cstdlib>\n" + text), "DDDDDW", "does the code call exit()?"),
         "greedy": (c.answer("1.6", "std::vector<double> all(1);\n"
                             "  for (;;) all.resize(2 * all.size());\n  return {};"), "DDDDDW",
                    "more memory was requested than a test may have"),
@@ -330,8 +336,43 @@ def chapters_compiled_in_their_own_way_are_graded(root, build):
                     if one.words() != "done")
 
 
+class Early:
+    """A clock whose first looks end everything at once."""
+
+    def __init__(self, looks):
+        self.looks = looks
+
+    def __call__(self):
+        self.looks -= 1
+        return 1e-9 if self.looks >= 0 else 20
+
+
+def graded_here(folder, chapter, plan, _):
+    """What tools/classroom/submission.py would say, of this process."""
+    with contextlib.redirect_stdout(io.StringIO()) as said:
+        judge = submission.Judge(submission.HandedIn(
+            chapter.number, chapter.folder, chapter.name, folder), plan)
+        judge.judge()
+        judge.say()
+    return said.getvalue(), []
+
+
+def what_is_late_by_the_clock_is_judged_again(root, build):
+    """a file that ends at a limit of the clock, and an exercise that does, are judged again alone"""
+    chapter = house.chapter_of("1")
+    text = exercises.read(chapter.solution)
+    for where, ask, looks in (("file", grading.ask, 1), ("exercise", graded_here, 2)):
+        one = collecting.Submission(where, {chapter.folder: collecting.File("", text, "")})
+        with mock.patch.object(runs, "crowd", Early(looks)), \
+                mock.patch.object(grading, "ask", ask):
+            grading.grade_all([one], [chapter])
+        yield from (f"{where}: {id_}: {grade.words()} {grade.detail} {grade.failures}"
+                    for id_, grade in one.grades.items() if grade.words() != "done")
+
+
 PROOFS = [every_submission_is_judged, what_is_expected_is_said,
-          chapters_compiled_in_their_own_way_are_graded]
+          chapters_compiled_in_their_own_way_are_graded,
+          what_is_late_by_the_clock_is_judged_again]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

@@ -7,7 +7,6 @@ import signal
 import subprocess
 import sys
 import tempfile
-import threading
 import zlib
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor, as_completed
@@ -34,8 +33,8 @@ LIMIT = 180     # for one exercise file, compiler and tests [s]
 
 # ---- grading -------------------------------------------------------------------------------------
 
-def grade_text(text, chapter, plan):
-    """(grades, notes) of one exercise file."""
+def grade_text(text, chapter, plan, again=False):
+    """(grades, notes) of one exercise file; None where it is late by the clock, unless again."""
     with tempfile.TemporaryDirectory(prefix="grade_", dir=house.BUILD,  # programs may run there
                                      ignore_cleanup_errors=True) as folder:
         folder = Path(folder)
@@ -46,8 +45,10 @@ def grade_text(text, chapter, plan):
         line = lend.moved(plan.line.replace(str(chapter.mine), str(file)), house.BUILD,
                           folder / "build")
         seed = zlib.crc32(text.encode(errors="surrogateescape")) % 100_000
-        said = ask(folder, chapter, replace(
+        said, late = ask(folder, chapter, replace(
             plan, line=line, reads=[str(folder / "compiled"), *plan.reads]), str(seed))
+    if late and not again:
+        return None
     verdicts = [line for line in said.split("\n") if line.startswith("[")]  # not of the progress
     if not verdicts:
         return [grading.Grade(id_, grading.BROKEN, "the file cannot be read")
@@ -85,7 +86,8 @@ def plan_of(chapter):
 
 
 def ask(folder, chapter, plan, seed):
-    """What tools/classroom/submission.py says of the file in the folder, so far as it comes."""
+    """What tools/classroom/submission.py says of the file in the folder, so far as it comes, and
+    whether it was late."""
     env = dict(os.environ, TMPDIR=str(folder), HOME=str(folder))
     env.setdefault("WORKBOOK_SEED", seed)
     process = subprocess.Popen(
@@ -96,14 +98,28 @@ def ask(folder, chapter, plan, seed):
 
     def end():  # with all that it has started; it has not been waited for, so the number is its own
         os.killpg(process.pid, signal.SIGKILL)
-    alarm = threading.Timer(runs.crowd() * LIMIT, end)
-    alarm.start()
-    said = process.stdout.read()
-    alarm.cancel()
+    with runs.clock(LIMIT, end) as late:
+        said = process.stdout.read()
     end()
     process.wait()
     process.stdout.close()
-    return said
+    return said, late
+
+
+def graded(jobs, plans):
+    """(submissions, their grades and notes) of each file as it is done; what was late by the clock
+    comes last, alone."""
+    late = []
+    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        running = {pool.submit(grade_text, text, chapter, plans[folder]): (
+            text, chapter, plans[folder], all_) for (folder, text), (chapter, all_) in jobs.items()}
+        for job in as_completed(running):
+            if job.result():
+                yield running[job][-1], job.result()
+            else:
+                late.append(running[job])
+    for text, chapter, plan, all_ in late:
+        yield all_, grade_text(text, chapter, plan, again=True)
 
 
 def grade_all(submissions, chapters):
@@ -120,12 +136,9 @@ def grade_all(submissions, chapters):
     house.configure()
     plans = {chapter.folder: plan_of(chapter) for chapter in
              {folder: chapter for (folder, _), (chapter, _) in jobs.items()}.values()}
-    with house.talking(), ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        running = {pool.submit(grade_text, text, chapter, plans[folder]): all_
-                   for (folder, text), (chapter, all_) in jobs.items()}
-        for count, job in enumerate(as_completed(running), 1):
-            grades, notes = job.result()
-            for one in running[job]:
+    with house.talking():
+        for count, (all_, (grades, notes)) in enumerate(graded(jobs, plans), 1):
+            for one in all_:
                 one.grades |= {grade.id: grade for grade in grades}
                 one.notes += notes
             house.progress(f"{count} of {len(jobs)} files graded")

@@ -118,7 +118,9 @@ class Judge:
             return
         written = [id_ for id_ in self.look.written() if id_ not in self.settled]
         self.say()
-        grades = self.without_added(self.tested(written) if written else [])
+        grades = [self.tested([one.id])[0] if late(one) else one
+                  for one in (self.tested(written) if written else [])]
+        grades = self.without_spoilers(grades)
         if self.outside:
             self.notes.append(f"Outside the exercises line{self.outside} "
                               f"{'have' if self.outside.startswith('s') else 'has'} changed; "
@@ -231,18 +233,26 @@ class Judge:
         found = grading.tested(self.chapter, ids, self.plan.tests)
         return [found[id_] for id_ in ids]
 
-    def without_added(self, grades):
-        """Where something is wrong: the grades without the added lines, if they are better."""
-        wrong = [one.id for one in grades if one.status == grading.WRONG]
-        if not (self.added and wrong):
-            return grades
-        kept, self.added = self.added, {}
-        better = [] if self.compile() else self.tested([one.id for one in grades])
-        if better and sum(one.status == grading.WRONG for one in better) < len(wrong):
-            self.notes.append(LEFT_OUT)
-            return better
-        self.added = kept
-        self.compile()
+    def without_spoilers(self, grades):
+        """Where something is wrong: the grades without the added lines, if they are better. Where
+        all is, in one way: without the exercise that spoils the others, if there is one."""
+        wrong = [one for one in grades if one.status == grading.WRONG]
+        ways = {one.failures[0][1].partition("\n")[0] for one in wrong}
+        spoilers = wrong if len(ways) == 1 < len(wrong) == len(grades) else []
+        for spoiler in [None] * bool(self.added and wrong) + spoilers:
+            kept, others = self.added, [one.id for one in grades if one is not spoiler]
+            self.added = kept if spoiler else {}
+            self.left_out |= {spoiler.id} if spoiler else set()
+            better = [] if self.compile() else self.tested(others)
+            if better and sum(one.status == grading.WRONG for one in better) < len(
+                    wrong) - bool(spoiler):
+                self.notes += [] if spoiler else [LEFT_OUT]
+                self.settled |= {spoiler.id: spoiler} if spoiler else {}
+                return better
+            self.added = kept
+            self.left_out -= {spoiler.id} if spoiler else set()
+        if wrong:
+            self.compile()
         return grades
 
     def blame(self, grades):
@@ -268,6 +278,11 @@ class Judge:
             guilty = sorted(set(self.plan.uses[id_]) - right - set(innocent))
             self.settled[id_] = replace(one, status=grading.WAITS, detail=", ".join(guilty)) \
                 if guilty else one
+
+
+def late(one):
+    """True where the clock has ended its tests."""
+    return any(runs.LATE in " ".join(words.split()) for _, words in one.failures)
 
 
 def added(given, mine):

@@ -1,4 +1,5 @@
 """Runs the tests of exercises in a process of their own and reads what it says, however it ends."""
+import contextlib
 import os
 import re
 import signal
@@ -18,11 +19,22 @@ STACK, MEMORY = 16, 256  # [MB]: what grows for ever fills them at once
 LIMITED = "".join(f"ulimit {limit} 2>/dev/null; " for limit in (
     f"-s {STACK * 1024}", f"-v {MEMORY * 1024}", "-t $0")) + 'exec "$@"'
 MOST = 1 << 16  # of its output are kept [bytes]
+LATE = "nor long after by the clock: does it wait for something?"
 
 
 def crowd():
     """By how much longer everything takes: the programs that want a processor, by processors."""
     return max(1, os.getloadavg()[0] / (os.cpu_count() or 1))
+
+
+@contextlib.contextmanager
+def clock(seconds, end):
+    """Ends what takes longer by the clock, on a busy machine later: then its list is not empty."""
+    late = []
+    alarm = threading.Timer(crowd() * seconds, lambda: (late.append(True), end()))
+    alarm.start()
+    yield late
+    alarm.cancel()
 
 
 @dataclass
@@ -74,14 +86,13 @@ def process(command, limit, env=None):
     kept = []
     listener = threading.Thread(target=listen, args=(ours, kept), daemon=True)
     listener.start()
-    alarm = threading.Timer(crowd() * max(WAIT, 5 * limit), child.kill)
-    alarm.start()
-    status = child.wait()
-    alarm.cancel()
+    with clock(max(WAIT, 5 * limit), child.kill) as late:
+        status = child.wait()
     listener.join(1)  # what it has left running in the background may print for ever
     os.close(ours)
     if status > 128:  # how what stands around it says by which signal it was ended
         status = 128 - status
+    status = -signal.SIGALRM if late else status
     return status, b"".join(kept).decode(errors="replace")
 
 
@@ -114,6 +125,8 @@ def read(report):
 
 def ending(status, limit):
     """How a process ended that did not finish its report."""
+    if status == -signal.SIGALRM:
+        return f"it did not end within {limit} seconds, {LATE}"
     if status in (-signal.SIGXCPU, -signal.SIGKILL):
         return (f"it did not end within {limit} seconds: a loop without an end, or a number whose "
                 "type is too small to reach it?")

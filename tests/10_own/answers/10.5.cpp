@@ -4,6 +4,10 @@
 //         n
 // wrong "keep in the part what C is now, and subtract it": two.x - world_point(one, r1_local), n
 //         ==> two.x - one.x, n
+// wrong "a part has 1 to 6 rows":
+  return OwnPart{0, false, own([](const Body&, const Body&) { return real(0); },
+                               [](const Body&, const Body&) { return Row{}; }).error,
+                 [](const Body&, const Body&) { return std::array<Row, 6>{}; }};
 // wrong "The rows are dependent at every pose":
   const vec3 n_local = to_local(body1, vec3(0, 1, 0));
   const vec3 r1_local = to_local(body1, body2.x - body1.x);

@@ -1,6 +1,9 @@
 // The finished joints and the solver in one include, for programs outside the workbook.
 // How to install and use it: docs/library.md.
 #pragma once
+#if defined(__GNUC__)  // a project's own warnings are not for what it includes, with -I, too
+#pragma GCC system_header
+#endif
 
 #include "comparison/compare.h"
 #include "contacts/contacts.h"

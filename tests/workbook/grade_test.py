@@ -198,9 +198,9 @@ def answers(c):
                  "does the code call exit()?"),
         "early": ("#include <cstdlib>\n" + text + "const int early = (std::exit(0), 1);\n",
                   "DDDDDD", "What is added outside the exercises was left out"),
-        "spoiler": (c.answer("1.6", "return {};\n}\n[[maybe_unused]] const int early = (std::exit(0), 1);\n"
-                             "[[maybe_unused]] Row other(const Body&, const Body&) {\n  return {};",
-                             "#include <cstdlib>\n" + text), "DDDDDW", "does the code call exit()?"),
+        "spoiler": (c.answer("1.6", "return {};\n}\nint early = (std::exit(0), 1);\n"
+                             "[[maybe_unused]] Row none(const Body&) {\n  return {};",
+                             "#include <cstdlib>\n" + text), "DDDDDW", "code call exit()?"),
         "greedy": (c.answer("1.6", "std::vector<double> all(1);\n"
                             "  for (;;) all.resize(2 * all.size());\n  return {};"), "DDDDDW",
                    "more memory was requested than a test may have"),
@@ -358,7 +358,7 @@ def graded_here(folder, chapter, plan, _):
 
 
 def what_is_late_by_the_clock_is_judged_again(root, build):
-    """a file that ends at a limit of the clock, and an exercise that does, are judged again alone"""
+    """a file or an exercise that ends at a limit of the clock is judged again, alone"""
     chapter = house.chapter_of("1")
     text = exercises.read(chapter.solution)
     for where, ask, looks in (("file", grading.ask, 1), ("exercise", graded_here, 2)):

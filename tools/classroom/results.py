@@ -46,13 +46,12 @@ def rules_of(path):
     if not path.is_file():
         return Rules()
     parser = configparser.ConfigParser()
+    parser.read_dict({"points": {}, "rules": {}})
     known = {id_ for chapter in house.chapters() for id_ in chapter.ids()}
     try:
         parser.read_string(path.read_text(encoding="utf-8"))
-        found = Rules({name: float(value) for name, value in
-                       (parser["points"] if "points" in parser else {}).items()},
-                      **{name: float(value) for name, value in
-                         (parser["rules"] if "rules" in parser else {}).items()})
+        found = Rules({name: float(value) for name, value in parser["points"].items()},
+                      **{name: float(value) for name, value in parser["rules"].items()})
     except (configparser.Error, ValueError, TypeError) as error:
         raise house.Trouble(f"grade: {path.name}: {error}\n{OF_RULES}")
     if odd := sorted(set(found.weights) - known):

@@ -38,7 +38,7 @@ NEEDS_NONE = "it calls exercise {}, which is not written yet and which it does n
 
 @dataclass
 class Plan:
-    """How a chapter is graded."""
+    """How a chapter's files are graded."""
     line: str      # commands: the object of the exercise file, and the program of the answer
     spare: str     # the solution's object
     answer: str    # the program of the answer
@@ -47,22 +47,6 @@ class Plan:
     uses: dict     # exercise: the others that it needs
     reads: list    # what the compiler reads
     objects: list  # what the linker reads
-
-    @property
-    def compile(self):
-        return self.line.partition(" && ")[0]
-
-    @property
-    def link(self):
-        return self.line.partition(" && ")[2]
-
-    @property
-    def mixed(self):
-        """Links with the solution's object, too. What is weak in one is taken from the other."""
-        mine = re.search(r" -o (\S+\.o) ", self.compile)[1]
-        weaken = "".join(f"objcopy --weaken-symbols={name}.weak {path} {name}.o && "
-                         for name, path in (("mine", mine), ("spare", shlex.quote(self.spare))))
-        return weaken + re.sub(r"( -o \S+_mine )", r"\1mine.o spare.o ", self.link)
 
 
 @dataclass
@@ -145,7 +129,7 @@ class Judge:
     def compile(self):
         """Returns "" or what the compiler says."""
         exercises.write(self.chapter.home / "compiled" / self.chapter.mine.name, self.composed())
-        self.log = self.run(self.plan.compile, self.plan.reads) or self.link()
+        self.log = self.run(self.plan.line.partition(" && ")[0], self.plan.reads) or self.link()
         return self.log
 
     def link(self, taken=()):
@@ -153,9 +137,14 @@ class Judge:
         of each one the other definition is weak, and what is not called is left out."""
         names = {name for id_ in taken for name in self.plan.symbols[id_]}
         all_ = {name for of_one in self.plan.symbols.values() for name in of_one}
-        for file, weak in (("mine", names), ("spare", all_ - names)):
+        compile_, _, line = self.plan.line.partition(" && ")
+        mine, spare = re.search(r" -o (\S+\.o) ", compile_)[1], shlex.quote(self.plan.spare)
+        for file, path, weak in [("mine", mine, names),
+                                 ("spare", spare, all_ - names)] * bool(taken):
             exercises.write(self.chapter.home / "build" / f"{file}.weak", "\n".join(weak))
-        return self.run(self.plan.mixed if taken else self.plan.link, self.plan.objects)
+            line = (f"objcopy --weaken-symbols={file}.weak {path} {file}.o && "
+                    + re.sub(r"( -o \S+_mine )", rf"\1{file}.o ", line))
+        return self.run(line, self.plan.objects)
 
     def run(self, line, reads):
         """Runs commands in the build folder, which see what they read. "", or what they say."""
@@ -240,17 +229,21 @@ class Judge:
         ways = {one.failures[0][1].partition("\n")[0] for one in wrong}
         spoilers = wrong if len(ways) == 1 < len(wrong) == len(grades) else []
         for spoiler in [None] * bool(self.added and wrong) + spoilers:
-            kept, others = self.added, [one.id for one in grades if one is not spoiler]
-            self.added = kept if spoiler else {}
-            self.left_out |= {spoiler.id} if spoiler else set()
-            better = [] if self.compile() else self.tested(others)
+            kept = self.added, set(self.left_out)
+            if spoiler:
+                self.left_out.add(spoiler.id)
+            else:
+                self.added = {}
+            better = [] if self.compile() else self.tested([
+                one.id for one in grades if one is not spoiler])
             if better and sum(one.status == grading.WRONG for one in better) < len(
                     wrong) - bool(spoiler):
-                self.notes += [] if spoiler else [LEFT_OUT]
-                self.settled |= {spoiler.id: spoiler} if spoiler else {}
+                if spoiler:
+                    self.settled[spoiler.id] = spoiler
+                else:
+                    self.notes.append(LEFT_OUT)
                 return better
-            self.added = kept
-            self.left_out -= {spoiler.id} if spoiler else set()
+            self.added, self.left_out = kept
         if wrong:
             self.compile()
         return grades

@@ -66,15 +66,14 @@ def with_place(words, chapter, id_):
     def function(region):
         head = next((k for k in range(region.begin, 0, -1) if re.match(r"\w", lines[k])), 0)
         return "\n".join(lines[head:region.begin] + region.answer())
+    all_ = [region for region in exercises.scan(text)[0] if region.id == id_]
     for beginning, clue in crashes.CLUES.items():
-        found = [region for region in exercises.scan(text)[0]
-                 if region.id == id_ and re.search(clue, function(region))]
+        found = [region for region in all_ if re.search(clue, function(region))]
         if re.match(beginning, words) and len(found) == 1:
             place = f"{house.short(chapter.mine)}:{found[0].begin}"
             break
     else:  # a crash may come from any of the exercise's regions
-        found = [region for region in exercises.scan(text)[0] if region.id == id_]
-        place += "".join(f" or :{region.begin}" for region in found[1:])
+        place += "".join(f" or :{region.begin}" for region in all_[1:])
     return f"{textwrap.fill(words, 76)}\n\nWhere: {place}\nNext:  ./wb hint {id_}"
 
 
@@ -92,22 +91,16 @@ def read_case(grade, case, chapter):
         if element.tag == "Exception":
             words.append(runs.thrown(text))
             says_where = False
-        elif element.tag == "Failure" and text:
+        elif element.tag in ("Failure", "Info") and text:
             words.append(text)
-            says_where = True
+            says_where |= element.tag == "Failure"
         elif element.tag == "Expression" and element.get("success") == "false" and \
                 "{Unknown expression" not in element.findtext("Original", ""):
             words.append(f"{element.findtext('Original', '').strip()} is not true: "
                          f"{element.findtext('Expanded', '').strip()}")
-        elif element.tag == "Info":
-            words.append(text)
     text = "\n".join(words)
     if match := re.search(r"exercise (\d+\.\d+) is not written yet", text):
-        if match[1] == grade.id:
-            worse(grade, OPEN)
-        else:
-            worse(grade, WAITS, match[1])
-        return
+        return worse(grade, *((OPEN,) if match[1] == grade.id else (WAITS, match[1])))
     worse(grade, WRONG)
     text = text or "it failed without a word"
     grade.failures.append((name, text if says_where else with_place(text, chapter, grade.id)))

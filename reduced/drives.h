@@ -56,7 +56,9 @@ struct Drive {
   bool apply(TreeLink& link, real base, real half) const;
   /// What is free in a place, force at a threshold or rate between two, and where the place ends.
   struct Span {
-    real least, most, value, slop;
+    real least, most;  ///< the ends of the place [N m, N, rad/s or m/s]
+    real value;        ///< force or rate at the present acceleration
+    real slop;         ///< by which rounding may take the value out of its place
     /// On which side of the place the value is; 0: within it.
     int side() const { return value > most + slop ? 1 : value < least - slop ? -1 : 0; }
   };

@@ -340,7 +340,7 @@ def methods_are_compared(root, build):
     here.wait("!document.getElementById('compare').disabled")
     names = here.ask("[...document.querySelectorAll('#methods button')].map(b => b.textContent)")
     known = read(root / "comparison" / "compare.cpp")
-    if len(names) < 9 or not all(f'{{"{name}"' in known for name in names):
+    if len(names) < 9 or not all(f'("{name}"' in known for name in names):
         yield f"the methods are {names}"
     best = here.ask("document.querySelector('#methods .best')?.textContent")
     if not best or best.startswith(("10 iter", "30 iter", "direct, velocities")):  # these tear

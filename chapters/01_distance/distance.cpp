@@ -18,7 +18,7 @@ Row CentreDistance::jacobian(const Body& body1, const Body& body2) const {
 
 real CentreDistance::K(const Body& body1, const Body& body2) const {
   // begin [exercise 1.2]
-  // Return K of Eq. 1-7. A body stores the inverse of its mass: body1.inverse_mass.
+  // Return K, how fast the rod grows after lambda = 1. A body stores 1/m: body1.inverse_mass.
   todo("1.2");
   // end [exercise 1.2]
 }

@@ -52,12 +52,15 @@ class Chapter:
     def text(self):
         return ROOT / "chapters" / self.folder / "README.md"
 
-    @property
-    def to_read(self):
-        """The text, or its page of the site where ./wb docs has made one of it."""
+    def to_read(self, id_):
+        """What to read before the exercise, in words: the text up to the line that says so, or its
+        page of the site where ./wb docs has made one of it."""
         page = OUT / "docs" / "html" / self.page_name
-        new = page.is_file() and page.stat().st_mtime > self.text.stat().st_mtime
-        return page if new else self.text
+        if page.is_file() and page.stat().st_mtime > self.text.stat().st_mtime:
+            return f'{short(page)}, as far as "exercise {id_} now"'
+        lines = exercises.read(self.text).split("\n") if self.text.is_file() else []
+        stop = [n for n, line in enumerate(lines, 1) if f"exercise {id_} now" in line]
+        return short(self.text) + (f", as far as line {stop[0]}" if stop else "")
 
     @property
     def page_name(self):

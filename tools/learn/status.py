@@ -86,6 +86,6 @@ def tell_next(look, one):
         print(f"Next: {one.id} is not right yet: ./wb test {one.id}")
     else:
         print(f"{bold(f'Next: exercise {one.id}')}, {chapter.titles().get(one.id, '')}")
-        print(f"  read   {house.short(chapter.to_read)}")
+        print(f"  read   {chapter.to_read(one.id)}")
         print(f"  edit   {chapter.place(one.id)}")
         print(f"  check  ./wb test {one.id}        stuck? ./wb hint {one.id}")

@@ -79,7 +79,7 @@ def tell(look, one):
     print(headline(chapter, one))
     tell_printed(one.printed)
     if one.status == grading.OPEN and look.states[one.id] == reading.UNTOUCHED:
-        print(f"  read   {house.short(chapter.to_read)}")
+        print(f"  read   {chapter.to_read(one.id)}")
         print(f"  edit   {chapter.place(one.id)}")
         print(f"  stuck? ./wb hint {one.id}")
     elif one.status == grading.OPEN:

@@ -17,9 +17,9 @@ inline vec3 direction(const vec3& u) {
 
 /// A rod of fixed length between the centres of two bodies. Removes one degree of freedom.
 ///
-/// C = |x2 - x1| - length [m]; J = (-n, 0, n, 0), n = (x2 - x1)/|x2 - x1|, exact wherever the
-/// centres differ; K = 1/m1 + 1/m2 [1/kg]. If the centres coincide, J = 0 and the impulse is 0.
-/// Source: thesis, section 3.7.1, with its effective mass corrected (erratum E19).
+/// C = |x2 - x1| - length [m]; J of Eq. 1-4 is exact wherever the centres differ, where they
+/// coincide it is 0, and so is the impulse; K [1/kg] is Eq. 1-7. Source: thesis, section 3.7.1, with
+/// its effective mass corrected (erratum E19).
 struct CentreDistance {
   real length = 1;  ///< length of the rod [m]
 
@@ -37,10 +37,10 @@ struct CentreDistance {
 /// A rod of fixed length from a point of body 1 to a point of body 2. Removes one degree of
 /// freedom.
 ///
-/// u = p2 - p1, n = u/|u|, C = |u| - length [m]; J = (-n, -(r1 x n), n, r2 x n), exact wherever
-/// |u| > 0; K = 1/m1 + 1/m2 + (r1 x n).I1^-1 (r1 x n) + (r2 x n).I2^-1 (r2 x n) [1/kg].
-/// If the points coincide, J = 0 and the impulse is 0. Source: the centre rod, with the velocity
-/// v + w x r of a point instead of that of a centre; Garstenauer 2006 treats joints in general so.
+/// u = p2 - p1, C = |u| - length [m]; J of Eq. 1-15 is exact wherever |u| > 0, where the points
+/// coincide it is 0, and so is the impulse; K [1/kg] is Eq. 1-16. Source: the centre rod, with the
+/// velocity v + w x r of a point instead of that of a centre; Garstenauer 2006 treats joints in
+/// general so.
 struct Distance {
   vec3 anchor1_local{0};  ///< the end on body 1 [m], from the centre, body space
   vec3 anchor2_local{0};  ///< the end on body 2 [m], from the centre, body space

@@ -16,8 +16,8 @@ namespace joints {
 /// Holds a point of body 1 and a point of body 2 together. Removes three degrees of freedom.
 ///
 /// u = p2 - p1 = x2 + r2 - x1 - r1, C = u [m]; J = (-E, skew(r1), E, -skew(r2)), exact at every
-/// pose; K = (1/m1 + 1/m2) E + skew(r1) I1^-1 skew(r1)^T + skew(r2) I2^-1 skew(r2)^T [1/kg].
-/// K is never singular while one body can move. Source: thesis, section 3.7.2.
+/// pose; K [1/kg], Eq. 2-6, is never singular while one body can move. Source: thesis, section
+/// 3.7.2.
 struct Point {
   vec3 anchor1_local{0};  ///< the point on body 1 [m], from its centre, body space
   vec3 anchor2_local{0};  ///< the point on body 2 [m], from its centre, body space

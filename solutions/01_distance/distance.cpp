@@ -19,7 +19,7 @@ Row CentreDistance::jacobian(const Body& body1, const Body& body2) const {
 
 real CentreDistance::K(const Body& body1, const Body& body2) const {
   // begin [exercise 1.2]
-  // Return K, how fast the rod grows after lambda = 1. A body stores 1/m: body1.inverse_mass.
+  // Return K: by how much lambda = 1 changes J V. A body stores 1/m: body1.inverse_mass.
   return body1.inverse_mass + body2.inverse_mass;  // Eq. 1-7
   // end [exercise 1.2]
 }
@@ -68,7 +68,7 @@ void step(std::vector<Body>& bodies, const std::vector<Link>& links,
   //  2. set_up(link, bodies, settings) gives the LinkRow of a link. Store one for each link.
   //  3. Repeat settings.iterations times: for every link call row_impulse, for a rope also
   //     clamp_sum (exercise 1.5), then apply_impulse.
-  //  4. The new v moves x of every body.
+  //  4. The new v moves x of every body that is not static.
   for (Body& body : bodies)
     if (!body.is_static()) body.v += settings.h * settings.gravity;  // Eq. 1-9
 

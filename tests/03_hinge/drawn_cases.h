@@ -4,19 +4,30 @@
 #include <numbers>
 
 #include "chapters/03_hinge/hinge.h"
-#include "tests/checker/drawn.h"
+#include "tests/checker/unit_rates.h"
+#include "tests/checker/vector_cases.h"
 
 namespace joints::testing {
 
-/// Two axes, apart by up to 57 degrees (beyond 60 there are other rows): C in units of the angle.
-inline Drawn drawn_axis(Draw& d) {
+/// Two axes, apart by up to 57 degrees (beyond 60 there are other rows): C in units of the angle, or
+/// the rows.
+inline Drawn drawn_axis(Draw& d, bool of_J) {
   const double tilt = d.size("angle between the axes", std::pow(10, -12 * d.pick()), "rad");
   const quat q1 = d.turn(), q2 = d.turn(), frame = d.turn();
   const vec3 b = frame * vec3(1, 0, 0), c = frame * vec3(0, 1, 0), a2 = frame * vec3(0, 0, 1);
   const vec3 about = normalize(d.number() > 0 ? b + real(0.7) * c : b - real(0.4) * c);
   const vec3 a1 = rotation(real(tilt) * about) * a2;
   const Axis axis{conjugate(q1) * a1, conjugate(q2) * b, conjugate(q2) * c};
-  const Vector<2> C = axis.error(static_body(vec3(0), q1), static_body(vec3(1), q2));
+  const Body body1 = static_body(vec3(0), q1), body2 = static_body(vec3(1), q2);
+  if (of_J) {
+    const auto row = [&](const vec3& beside) {
+      return row_of([&](const Row& V) {
+        return dot(cross(V.w1, a1), beside) + dot(a1, cross(V.w2, beside));
+      });
+    };
+    return drawn_rows(axis.jacobian(body1, body2), Jacobian<2>{{row(b), row(c)}}, 1, 1);
+  }
+  const Vector<2> C = axis.error(body1, body2);
   const double unit = std::abs(std::sin(tilt)) + 1e-13;
   return {{"C[0] / sin(angle)", "C[1] / sin(angle)"},
           {double(C[0]) / unit, double(C[1]) / unit},

@@ -174,7 +174,7 @@ inline Drawn drawn_slowed(Draw& d) {
   c.kappa = real(8 * d.scale(is_float ? 1 : 5));
   const bool slowed_before = d.chance("the last step slowed it, too");
   for (int k = 0; k < 3; ++k) {
-    c.force_lever[k] = real(inertia * d.scale(is_float ? 1 : 4)) / (c.kappa * c.h * c.h);
+    c.force_lever[k] = real(inertia * d.scale(is_float ? 1 : 12)) / (c.kappa * c.h * c.h);
     if (slowed_before) c.before[k] = real(inertia * d.scale(1));
   }
   if (d.chance("nothing opposes one rotation")) c.force_lever[int(2.99 * d.pick())] = 0;

@@ -59,8 +59,11 @@ class Chapter:
         if page.is_file() and page.stat().st_mtime > self.text.stat().st_mtime:
             return f'{short(page)}, as far as "exercise {id_} now"'
         lines = exercises.read(self.text).split("\n") if self.text.is_file() else []
-        stop = [n for n, line in enumerate(lines, 1) if f"exercise {id_} now" in line]
-        return short(self.text) + (f", as far as line {stop[0]}" if stop else "")
+        for number, line in enumerate(lines, 1):
+            if f"exercise {id_} now" in line:  # and what is said with it
+                stop = next((k for k in range(number, len(lines)) if not lines[k]), len(lines))
+                return f"{short(self.text)}, as far as line {stop}"
+        return short(self.text)
 
     @property
     def page_name(self):

@@ -173,9 +173,7 @@ def run(chapter, options):
         program = f"{chapter.folder}_run"
         house.must_build([program])
     else:
-        rest = [id_ for id_ in chapter.ids() if id_ not in written]
-        print(f"your code: {' '.join(written)}"
-              + (f"   the solution's: {' '.join(rest)}" if rest else ""), flush=True)
+        tell_whose(chapter, written)
         program = f"{chapter.folder}_run_mine"
     folder = MINE / chapter.folder
     call_and_blame(chapter, written, program, folder, options, False)
@@ -194,6 +192,13 @@ def run(chapter, options):
     print(faint(f"tables: {house.short(folder)}/   figures: ./wb plot {chapter.number}   "
                 f"motion: ./wb see {chapter.number}"))
     return 0
+
+
+def tell_whose(chapter, written):
+    """Which exercises run with the reader's code, and which with the solution's."""
+    rest = [id_ for id_ in chapter.ids() if id_ not in written]
+    print(f"your code: {' '.join(written)}"
+          + (f"   the solution's: {' '.join(rest)}" if rest else ""), flush=True)
 
 
 def of_name(chapter, words):
@@ -315,6 +320,8 @@ def see(chapter):
         return 0
     solution, mine = both_runs(chapter)
     page = make_page(chapter, solution, mine)
+    if mine and mine != solution:
+        tell_whose(chapter, reading.look(chapter).written() or [])
     print(f"{house.short(page)}" + ("" if mine or solution == MINE / chapter.folder else
                                     f"   ({TOO_LITTLE})"))
     open_page(page)

@@ -165,7 +165,8 @@ def after(look, id_):
         if other in known and known[other].status in (grading.WRONG, grading.BROKEN):
             return f"Next: ./wb test {other}, which is not right yet."
         if other not in known or known[other].status != grading.DONE:
-            return f"Next: {other}, {look.chapter.place(other)}"
+            return (f"Next: {other}\n  read   {look.chapter.to_read(other)}\n"
+                    f"  edit   {look.chapter.place(other)}")
     return after_all(look.chapter)
 
 

@@ -90,21 +90,10 @@ mat3 inverse_of(const mat3& A);
                                          StateOf<TreeLink>* sum, ::joints::real h) {
   TreeLink* const end = first + count;
   for (int k = 0; k < count; ++k) base[k] = state_of(first[k]);
-  const auto place_and_begin = [&](TreeLink& link) JOINTS_INLINED {
-    place(link, link.parent < 0 ? link : first[link.parent]);
-    begin(link, first, true, true);
-  };
-  for (TreeLink* link = first; link < end; ++link) place_and_begin(*link);
   for (int stage = 0; stage < 4; ++stage) {
-    eliminate_links(first, end, true);
-    // One pass does all that remains of this stage and the next one's beginning: the links of a
-    // long chain do not fit into the nearest cache.
-    for (int k = 0; k < count; ++k) {
-      TreeLink& link = first[k];
-      if (k > 0) accelerate(link, first[link.parent]);
-      advance(link, base[k], sum[k], stage, h);
-      if (stage < 3) place_and_begin(link);
-    }
+    place_links(first, end);
+    accelerate_links(first, end, true, true);
+    for (int k = 0; k < count; ++k) advance(first[k], base[k], sum[k], stage, h);
   }
 }
 

@@ -23,17 +23,15 @@ void place_links(Link* first, Link* end) {
   for (Link* link = first + 1; link < end; ++link) place(*link, first[link->parent]);
 }
 
-// What a link is by itself, at its present pose and velocity.
+// All accelerations from the present poses and velocities. \param inertia also eliminate it
+// \param moving false: as if all velocities were 0
 template <class Link>
-void begin(Link& link, Link* first, bool inertia, bool moving) {
-  if (inertia) begin_inertia(link);
-  if (moving && &link > first) move(link, first[link.parent]);
-  begin_bias(link);
-}
-
-// Passes inertia, if asked for, and bias on from each link to its parent; the root accelerates.
-template <class Link>
-void eliminate_links(Link* first, Link* end, bool inertia) {
+void accelerate_links(Link* first, Link* end, bool inertia, bool moving) {
+  for (Link* link = first; link < end; ++link) {
+    if (inertia) begin_inertia(*link);
+    if (moving && link > first) move(*link, first[link->parent]);
+    begin_bias(*link);
+  }
   for (Link* link = end - 1; link > first; --link) {
     Link& parent = first[link->parent];
     if (inertia) {
@@ -43,14 +41,6 @@ void eliminate_links(Link* first, Link* end, bool inertia) {
     add_bias(*link, parent);
   }
   if (first->freedom == Freedom::free) accelerate_root(*first);
-}
-
-// All accelerations from the present poses and velocities. \param inertia also eliminate it
-// \param moving false: as if all velocities were 0
-template <class Link>
-void accelerate_links(Link* first, Link* end, bool inertia, bool moving) {
-  for (Link* link = first; link < end; ++link) begin(*link, first, inertia, moving);
-  eliminate_links(first, end, inertia);
   for (Link* link = first + 1; link < end; ++link) accelerate(*link, first[link->parent]);
 }
 

@@ -31,7 +31,9 @@ struct Contender {
 std::vector<Contender> contenders(const PeerEntry& entry, bool quick, bool search) {
   std::vector<Contender> out;
   const PeerScene scene = peer_scene(entry.make().world);
-  for (const std::string& word : words(entry.ours + tree_methods(entry.make)))
+  std::string ours = entry.ours + tree_methods(entry.make);
+  if (ours.ends_with("tree-rk4")) ours += " tree-rk4/4";  // as one of MuJoCo's has 4 substeps
+  for (const std::string& word : words(ours))
     out.push_back({{.engine = "ours", .version = "",
                     .number = sizeof(real) == 8 ? "double" : "float", .name = word},
                    setting_named(word), true});

@@ -25,7 +25,8 @@ function view_of(scene, width, height, {yaw, pitch, zoom}, target = null) {
     const from = look_from(scene.yaw, scene.centre, width, height);
     const [first, soon, whole] = [scene.first, scene.soon, scene.points].map(
       points => fit(from, points));
-    const same = (one, other) => Math.abs(Math.log(one.distance / other.distance)) < 0.15;
+    const same = (one, other) => Math.abs(Math.log(one.distance / other.distance)) < 0.15 &&
+      size(sub(one.centre, other.centre)) < 0.02 * other.distance;
     const second = same(soon, whole) ? whole : soon;
     Object.assign(scene, {shape, homes: [same(first, second) ? second : first, second, whole]});
   }
@@ -42,7 +43,8 @@ const look_from = (yaw, centre, width, height) => view_of(null, width, height,
   {yaw, pitch: first_pitch, zoom: 1}, {centre, across: 1, upward: 1});
 // The camera is close: from what a scene begins with it moves to what is seen after a second, and
 // then to all of it, where these are of another size.
-const home_at = ([first, second, whole], t) => t < 1 ? between(first, second, clamp(t, 0, 1))
+const home_at = ([first, second, whole], t) => t < 1
+  ? between(first, second, clamp((t - 0.3) / 0.6, 0, 1))
   : between(second, whole, clamp((t - 1) / 2, 0, 1));
 const between = (near, far, s) => ({
   centre: plus(near.centre, s * s * (3 - 2 * s), sub(far.centre, near.centre)),

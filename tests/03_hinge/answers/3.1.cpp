@@ -91,7 +91,7 @@
   for (int i = 0; i <= 2; ++i) J[i] = {vec3(0), -cross(d[i], a1), vec3(0), cross(d[i], a1)};
   return J;
 // wrong few-digits: return J; ==> const auto few = [](const vec3& a) { return vec3(glm::vec3(a)); };
-//         for (Row& row : J) row.w1 = few(row.w1), row.w2 = few(row.w2); return J;
+//         for (int i = 0; i < 2; ++i) J[i].w1 = few(J[i].w1), J[i].w2 = few(J[i].w2); return J;
 // mistake "unit vectors: b x a1 becomes shorter as the axes part":
 // expects: (pencil and paper, broken)
   const vec3 p = normalize(cross(b, a1)), q = normalize(cross(c, a1));

@@ -18,8 +18,8 @@ inline vec3 direction(const vec3& u) {
 /// A rod of fixed length between the centres of two bodies. Removes one degree of freedom.
 ///
 /// C = |x2 - x1| - length [m]; J of Eq. 1-4 is exact wherever the centres differ, where they
-/// coincide it is 0, and so is the impulse; K [1/kg] is Eq. 1-7. Source: thesis, section 3.7.1, with
-/// its effective mass corrected (erratum E19).
+/// coincide it is 0, and so is the impulse; K [1/kg] is Eq. 1-7. Source: thesis, section 3.7.1,
+/// with its effective mass corrected (erratum E19).
 struct CentreDistance {
   real length = 1;  ///< length of the rod [m]
 

@@ -15,10 +15,10 @@ namespace joints {
 /// Keeps an axis of body 1 along an axis of body 2. Removes two degrees of freedom.
 ///
 /// a1 = R1 a1_local; b, c = R2 b_local, R2 c_local, both perpendicular to body 2's axis a2 = b x c.
-/// C = (a1.b, a1.c) [1]; J of Eq. 3-4 is exact because b and c are fixed in body 2; K
-/// [1/(kg m^2)] is Eq. 3-6. At 90 degrees K is singular, and at 180 degrees C is zero again. Beyond 60 degrees the part
-/// therefore uses the vector of the shortest rotation from a1 to a2 [rad], for which J is exact
-/// only near alignment. Source: thesis, section 3.7.3; the rotation vector is ours.
+/// C = (a1.b, a1.c) [1]; J of Eq. 3-4 is exact because b and c are fixed in body 2; K is Eq. 3-6
+/// [1/(kg m^2)]. At 90 degrees K is singular, and at 180 degrees C is zero again. Beyond 60 degrees
+/// the part therefore uses the vector of the shortest rotation from a1 to a2 [rad], for which J is
+/// exact only near alignment. Source: thesis, section 3.7.3; the rotation vector is ours.
 /// In other engines `Axis` often denotes a translation axis; here it is a rotation axis.
 struct Axis {
   vec3 a1_local{1, 0, 0};  ///< the axis, unit, body space of body 1

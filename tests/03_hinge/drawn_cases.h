@@ -9,8 +9,8 @@
 
 namespace joints::testing {
 
-/// Two axes, apart by up to 57 degrees (beyond 60 there are other rows): C in units of the angle, or
-/// the rows.
+/// Two axes, apart by up to 57 degrees (beyond 60 there are other rows): C in units of the angle,
+/// or the rows.
 inline Drawn drawn_axis(Draw& d, bool of_J) {
   const double tilt = d.size("angle between the axes", std::pow(10, -12 * d.pick()), "rad");
   const quat q1 = d.turn(), q2 = d.turn(), frame = d.turn();

@@ -56,7 +56,8 @@ REFUSED = {  # of the compiler's words
     r"unable to deduce .auto&&|invalid use of member function": "a function is called with "
         "brackets, also one without arguments: world.joints().",
     r"todo.{1,3} was not declared": "todo is written todo(\"1.1\"); with the exercise's number.",
-    r"operator[*/].*(‘int’|'int'|N = (int|double|float);)|deleted operator|binary expression \('int' and .*vec": "a whole number stands "
+    r"operator[*/].*(‘int’|'int'|N = (int|double|float);)|deleted operator|"
+    r"binary expression \('int' and .*vec": "a whole number stands "
         "with a vector: write real(2) * v and real(1) / v, not 2 * v and 1 / v.",
     r"cannot be used as a function|called object type .* is not a function": "a name that "
         "is called like a function is a number here: within a rod `length` is the rod's own, the "

@@ -19,7 +19,7 @@ struct DrawnGap {
   double apart;
 };
 inline DrawnGap drawn_gap(Draw& d) {
-  DrawnGap g{d.units(6), {}, {}, {}, {}, {}, {}, 0};
+  DrawnGap g{d.units(12), {}, {}, {}, {}, {}, {}, 0};
   const auto anchors = d.levers(g.u);
   g.anchor1 = anchors[0], g.anchor2 = anchors[1];
   g.pair = d.pair(g.u);

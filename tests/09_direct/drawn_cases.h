@@ -166,7 +166,7 @@ inline Drawn drawn_side(Draw& d) {
 }
 
 inline Drawn drawn_slowed(Draw& d) {
-  const Draw::Units u = d.units();
+  const Draw::Units u = d.units(12);
   SlowedCase c{"", d.body(u), vec3(0), vec3(0), 8, real(0.01 * u.s)};
   const double inertia = d.size("inertia", u.kg * u.m * u.m, "kg m^2");
   const double thin = d.chance("it is a thin rod") ? std::pow(10, is_float ? 2 : 6 * d.pick()) : 1;
@@ -194,7 +194,7 @@ inline Drawn drawn_slowed(Draw& d) {
 
 /// A chain of bodies whose joints are balls, and hinges beyond their limit.
 inline Drawn drawn_time(Draw& d) {
-  const Draw::Units u = d.units(5);
+  const Draw::Units u = d.units(6);
   const int bodies = d.count("bodies", d.whole(1, 30));
   const int joints = d.count("joints", std::min(bodies, d.whole(0, 30)));
   const bool moves = d.chance("the body in slot 0 can move");

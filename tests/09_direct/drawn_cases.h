@@ -296,7 +296,7 @@ inline Drawn drawn_newton(Draw& d) {
   const int rows = d.count("rows", std::min(3 * slots, d.whole(1, 120)));
   const int iterations = d.count("iterations", d.whole(0, 40));
   const double unit = d.scale();
-  const double h = d.size("h", std::pow(10, -3 * d.pick()), "s");
+  const double h = d.size("h", d.scale(6), "s");
   const bool hardly = d.chance("the error becomes less by nearly the poorest allowed factor");
   double beside = std::pow(10, -1 - 8 * d.pick());
   const double factor = 1 + (d.number() < 0 ? -beside : beside);

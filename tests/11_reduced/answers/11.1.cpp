@@ -9,6 +9,9 @@
 //         * turned ==> link.q = turned
 // mistake "the parent's orientation on the right: the first rotation stands on the right": parent.q
 //         * turned ==> turned * parent.q
+// mistake "the three rotations in reverse: the parent's stands on the left, the first on the right":
+//         link.q = parent.q * turned ==> link.q = link.start * rotation(link.x * link.axis_local) *
+//         parent.q
 // mistake "the rotation by x on the right of start: the axis is that of the parent": const quat
 //         turned = std::cos(half) * link.start + std::sin(half) * link.start_axis; ==> const quat
 //         turned = link.start * rotation(link.x * link.axis_local);
@@ -52,6 +55,9 @@
 // mistake "gamma with the child's w: d is fixed in the parent": link.gamma = cross(w, cross(w,
 //         link.d)); ==> link.gamma = cross(w + link.rate * link.a, cross(w + link.rate * link.a,
 //         link.d));
+// mistake "gamma with the child's w: d is fixed in the parent": link.gamma = cross(w, cross(w,
+//         link.d)); ==> const vec3 own = link.freedom == Freedom::hinge ? w + link.rate * link.a :
+//         w; link.gamma = cross(own, cross(own, link.d));
 // mistake "gamma to the centre in the place of the anchor": cross(w, cross(w, link.d)) ==> cross(w,
 //         cross(w, link.d + link.c))
 // mistake "gamma is missing": link.gamma = cross(w, cross(w, link.d)) ==> link.gamma = vec3(0)

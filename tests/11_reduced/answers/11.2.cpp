@@ -45,6 +45,8 @@
 // mistake "the lever's torque has the other sign: c x f": link.n = cross(c, link.f) ==> link.n =
 //         cross(link.f, c)
 // mistake "the lever's torque is missing": cross(c, link.f) - link.torque ==> -link.torque
+// mistake "the force from outside is missing in c x f": cross(c, link.f) - link.torque ==> cross(c,
+//         link.f + link.force) - link.torque
 // mistake "the torque from outside has the other sign": - link.torque ==> + link.torque
 // mistake "the torque from outside is missing": - link.torque ==>
 // mistake "w x I w is missing: a body that rotates needs a torque": link.n += cross(w, link.inertia

@@ -45,6 +45,9 @@
 // mistake "H travels without its own part": const mat3 moved = link.H + XM ==> const mat3 moved =
 //         XM
 // mistake "the sign of the lever in H": link.H + XM ==> link.H - XM
+// mistake "the sign of the lever in H": parent.H += moved ==> parent.H += link.H - XM
+// mistake "H in the place of its transpose, in J": transpose(crossed(d, transpose(link.H))) ==>
+//         crossed(d, link.H)
 // mistake "M is not added": parent.M += link.M; ==>
 // mistake "H is not added": parent.H += moved; ==>
 // mistake "J travels without the lever": link.J + transpose(crossed(d, transpose(link.H))) +
@@ -71,6 +74,10 @@
 // mistake "gamma is left out of the torque: J and H belong to the bias, too": n += link.H *
 //         link.gamma; ==>
 // mistake "gamma is left out of the force": f += link.M * link.gamma; ==>
+// mistake "gamma is left out: J and H belong to the bias, too": n += link.H * link.gamma; ==> ;; f
+//         += link.M * link.gamma; ==>
+// mistake "gamma and zeta are left out": n += link.H * link.gamma; ==> ;; f += link.M * link.gamma;
+//         ==> ;; n += link.J * link.zeta; f += link.zeta * link.H; ==>
 // mistake "zeta is left out": n += link.J * link.zeta; f += link.zeta * link.H; ==>
 // mistake "zeta is left out of the force": f += link.zeta * link.H; ==>
 // mistake "H in the place of its transpose: the force of zeta is H^T zeta": f += link.zeta * link.H

@@ -39,6 +39,8 @@
 //         link.acceleration + link.k
 // mistake "the missing force takes the place of tau: it is added to it": link.tau += felt ==>
 //         link.tau = felt
+// mistake "tau comes twice: Eq. 11-16 is all of it": link.tau += felt ==> link.tau += link.tau +
+//         felt
 // mistake "a held joint accelerates as if it were free": if (link.held) { ==> if (false) {
 // mistake "held and not held exchanged": if (link.held) ==> if (!link.held)
 // mistake "divided by over_D, which is 1/D already": link.over_D * (link.k - felt) ==> (link.k -

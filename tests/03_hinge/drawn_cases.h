@@ -71,8 +71,8 @@ inline Drawn drawn_twist(Draw& d) {
 }
 
 inline Drawn drawn_unwrapped(Draw& d) {
-  const double turns = std::floor(d.size("turns", d.scale(5), ""));
-  const double expected = d.any_size(4), apart = 3 * (2 * d.pick() - 1);
+  const double turns = std::floor(d.size("turns", d.scale(7), ""));
+  const double expected = d.any_size(7), apart = 3 * (2 * d.pick() - 1);
   const double away = (d.number() < 0 ? -2 : 2) * std::numbers::pi * turns;
   const double measured = expected + apart + away;
   return {{"angle [rad]"}, {double(unwrapped(real(measured), real(expected)))}, {expected + apart},

@@ -101,7 +101,7 @@ inline Drawn drawn_friction(Draw& d) {
 
 /// Up to eight corners above the ground and in it, some just beside the margin.
 inline Drawn drawn_live(Draw& d) {
-  const double h = d.size("h", 0.01 * d.scale(3), "s");
+  const double h = d.size("h", 0.01 * d.scale(6), "s");
   LiveCase c{"", {}, {}, real(h)};
   const double beside = std::pow(10, -(is_float ? 2 : 6) * d.pick()) / 2;
   d.size("distance to the margin / margin", beside, "");

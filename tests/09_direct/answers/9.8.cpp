@@ -1,4 +1,4 @@
-// wrong drawn-threshold: min(vec3(1), max(moments, before) / now) ==> max(vec3(real(1e-9)),
+// wrong drawn-cut: min(vec3(1), max(moments, before) / now) ==> max(vec3(real(1e-9)),
 //         min(vec3(1), max(moments, before) / now))
 // wrong drawn-threshold: const vec3 now ==> if (std::max({moments.x, moments.y, moments.z}) <
 //         real(1e-3)) { out.inverse_inertia_local = body.inverse_inertia_local; out.w = body.w;

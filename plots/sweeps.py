@@ -228,9 +228,9 @@ def machine(table):
                                       zip(table["engine"], table["version"]) if version))
     return (f"{', '.join(words[:-1])}; one core, double. Ours: {words[-1]}. {engines}: Debian's "
             "packages, -O2, any x86-64. Bars: from quartile to quartile of the times; without one "
-            "it is shorter than the mark. All start with half a step of the forces. Iterations, and "
-            "settings beside another of their engine, are in the large panel, elsewhere only on "
-            "the front.")
+            "it is shorter than the mark. All start with half a step of the forces. Iterations, "
+            "and settings beside another of their engine, are in the large panel, elsewhere only "
+            "on the front.")
 
 
 def main():

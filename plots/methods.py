@@ -105,9 +105,9 @@ def held(row):
 
 
 def draw_map(rows, methods, path, what, limits, title, words):
-    """A panel for each number that changes: its values are the columns, the methods the rows. `what`
-    of a row is in one of four classes, up to each of the limits; a cell without class has failed,
-    and a line is drawn around these."""
+    """A panel for each number that changes: its values are the columns, the methods the rows.
+    `what` of a row is in one of four classes, up to each of the limits; a cell without class has
+    failed, and a line is drawn around these."""
     columns = {family: list(dict.fromkeys(row["scene"].partition(": ")[2] for row in rows
                                           if row["scene"].startswith(family + ": ")))
                for family in MAPS}

@@ -147,8 +147,9 @@ def gaps_and_iterations(solution, mine, out):
     few, many = min(ropes), max(ropes)
     figure, (left, right) = style.figure(
         f"One rod: {largest(rod[few])} with any number of iterations.\n"
-        f"Nine ropes: {largest(ropes[few])} with {few} iterations, {largest(ropes[many])} with "
-        f"{many}" if not mine else "The largest gap: yours and the solution's", 2)
+        f"Nine ropes, first {FIRST_SWING:g} s: {largest(ropes[few])} with {few} iterations, "
+        f"{largest(ropes[many])} with {many}" if not mine
+        else "The largest gap: yours and the solution's", 2)
     for ax, curves, scene in ((left, rod, "pendulum"), (right, ropes, "bridge")):
         if mine:
             own = first_swing(mine[scene])

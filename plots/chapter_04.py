@@ -8,6 +8,8 @@ import numpy as np
 import style
 from style import COLOURS, INK, PALE, label_ends
 
+LIMITS, BOUND = (0, 0.4), 80  # [m], [N]: of chapters/04_slider/program/piston.h
+
 
 def whole(table):
     """The rows of the whole joint only."""
@@ -18,29 +20,28 @@ def draw_piston(solution, mine, out):
     first = {name: np.asarray(column)[np.asarray((mine or solution)["time_s"]) < 3.01]
              for name, column in (mine or solution).items()}
     table = whole(first)
-    t, bound = table["time_s"], table["motor_n"].max()
-    limits = table["displacement_m"].min(), table["displacement_m"].max()
+    t = table["time_s"]
     figure, (left, right) = style.figure(
-        f"A piston: the motor gives at most {bound:.0f} N; at both ends the limit carries the "
-        "rest", 2)
+        f"A piston: the motor gives at most {abs(table['motor_n']).max():.0f} N; at both ends the "
+        "limit carries the rest", 2)
     left.plot(t, table["displacement_m"], color=COLOURS[0 if mine else 1],
               label="_", linewidth=3 if mine else 1.8)
     if mine:
         theirs = whole(solution)
         left.plot(theirs["time_s"][:len(t)], theirs["displacement_m"][:len(t)], color=INK,
                   linewidth=1.1, dashes=(4, 2), label="_")
-    for limit, words in zip(limits, ("lower", "upper")):
+    for limit, words in zip(LIMITS, ("lower", "upper")):
         left.axhline(limit, color=PALE, linewidth=0.8)
-        left.text(0.98, limit + 0.004, f"{words} limit, {abs(limit):.1f} m", ha="right",
+        left.text(0.98, limit + 0.004, f"{words} limit, {limit:g} m", ha="right",
                   va="bottom", fontsize=8.5, color=PALE, transform=left.get_yaxis_transform())
     left.set(xlabel="time  [s]", ylabel="displacement  [m]", xlim=(0, 3.6), ylim=(-0.03, 0.45),
              title="up and down once" + (": yours (thick), the solution's" if mine else ""))
     for column, colour, label in (("limit_n", COLOURS[1], "limit"),
                                   ("motor_n", COLOURS[0], "motor")):
         right.step(t[1:], table[column][1:], color=colour, label=label)
-    for force in (-bound, bound):
+    for force in (-BOUND, BOUND):
         right.axhline(force, color=PALE, linewidth=0.8, dashes=(4, 2))
-    right.text(0.02, bound + 6, f"bounds of the motor, ±{bound:.0f} N", fontsize=8.5,
+    right.text(0.02, BOUND + 6, f"bounds of the motor, ±{BOUND} N", fontsize=8.5,
                color=PALE, transform=right.get_yaxis_transform())
     for stop, words, side in ((np.argmin(table["limit_n"]), "stops it at the top", -1),
                               (np.argmax(table["limit_n"]), "stops it at the bottom", 1)):

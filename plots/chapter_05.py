@@ -64,7 +64,7 @@ def draw_anchor(solution, mine, out):
     ax.plot(whole["lever_m"], whole["measured"], color=COLOURS[1], marker="s",
             label="6x6, measured")
     ax.set(xlabel="distance of the anchor from the cube's centre  [m]",
-           ylabel="error after an iteration over error before", ylim=(-0.04, 1.04), xlim=(0, 10.2))
+           ylabel="what is left of the error, as a fraction", ylim=(-0.04, 1.04), xlim=(0, 10.2))
     label_ends(ax)
     style.save(figure, out / "05_anchor")
 

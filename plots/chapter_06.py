@@ -242,6 +242,10 @@ def draw_side_by_side(table, _, out):
         for ax, column, scale in ((left, "gap_rms_m", 1000), (right, "energy_drift", -100)):
             ax.plot(part["iterations"], visible(scale * part[column]), label=words, color=colour,
                     marker="o", markersize=4)
+            torn = part["energy_drift"] < -1  # more than the chain can lose while it hangs together
+            for x, y in zip(part["iterations"][torn], scale * part[column][torn]):
+                ax.plot(x, y, "x", color=INK, markersize=9, label="_")
+                ax.annotate("torn", (x, y), xytext=(7, 5), textcoords="offset points", fontsize=8.5)
     left.set(ylabel="gap of the joints, RMS  [mm]", title="gap")
     right.set(ylabel="energy lost  [%]", title="energy")
     for ax in (left, right):

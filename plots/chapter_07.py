@@ -225,7 +225,7 @@ def draw_needed(table, _, out):
                         xytext=(0, 8), textcoords="offset points", ha="center", fontsize=10,
                         color=colour)
     ax.set(xlabel=r"$\omega_{\mathrm{SOR}}$, factor of every impulse", ylim=(0, 180),
-           xlim=(0.95, 2), ylabel=f"iterations to a gap of {length(table['gap_rms_m'][0])}",
+           xlim=(0.95, 2), ylabel=f"iterations to an RMS gap of {length(table['gap_rms_m'][0])}",
            title="one chain of 100 cubes")
     style.label_ends(ax)
     style.save(figure, out / "07_needed")

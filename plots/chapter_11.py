@@ -18,9 +18,16 @@ def draw_weight(solution, mine, out):
         f"{table['along_kg'][last]:.3g} kg along, {table['across_kg'][last]:.2g} kg across")
     for column, colour, label in (("along_kg", COLOURS[0], "along the chain"),
                                   ("across_kg", COLOURS[1], "across it")):
-        ax.plot(table["bars"], table[column], color=colour, marker="o", markersize=3, label=label)
+        mass = style.visible(table[column])
+        ax.plot(table["bars"], mass, color=colour, marker="o", markersize=3, label=label)
+        for k, side in ((0, "left"), (last, "right")):
+            if mass[k] > 0:
+                ax.annotate(f"{mass[k]:.2g}", (table["bars"][k], mass[k]), xytext=(0, 7), ha=side,
+                            textcoords="offset points", fontsize=8.5, color=colour)
     ax.set(xlabel="bars of the chain", ylabel="mass that the hand at its end feels  [kg]",
-           xlim=(0, table["bars"][last]), ylim=(0, 1.03 * table["along_kg"][last]))
+           xscale="log", yscale="log")
+    for axis in (ax.xaxis, ax.yaxis):
+        style.plain_log(axis)
     label_ends(ax)
     style.save(figure, out / "11_weight")
 

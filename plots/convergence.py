@@ -17,11 +17,13 @@ LOOKS = {"gauss-seidel": ("Gauss-Seidel", COLOURS[1], "o"),
 def draw(table, path):
     along = style.rows(table, gravity="along")
     longest = along["hinges"].max()
-    most = {method: style.rows(along, method=method, hinges=longest)["iterations"][0]
-            for method in LOOKS}
+    last = style.rows(along, hinges=longest)
+    last["time"] = last["iterations"] * last["us_per_iteration"]
+    seidel, cg = (style.rows(last, method=method) for method in ("gauss-seidel", "cg"))
     figure, ax = style.figure(
-        f"A straight chain of {longest:.0f} hinges: {most['gauss-seidel']:,.0f} iterations of "
-        f"Gauss-Seidel, {most['cg']:.0f} of CG")
+        f"A straight chain of {longest:.0f} hinges: {seidel['iterations'][0]:,.0f} iterations of "
+        f"Gauss-Seidel, {cg['iterations'][0]:.0f} of CG; the former take "
+        f"{(seidel['time'] / cg['time'])[0]:.0f} times as long")
     for method, (words, colour, marker) in LOOKS.items():
         of = style.rows(along, method=method)
         ax.plot(of["hinges"], of["iterations"], color=colour, marker=marker, markersize=6,
@@ -40,8 +42,8 @@ def main():
     given = style.arguments("Draws the iterations that a chain needs over its length.",
                             csv="the table that ./wb bench --convergence writes",
                             out="the drawing, an SVG")
-    draw(style.read_csv(given.csv, ["hinges", "rows", "iterations"], ["gravity", "method"],
-                        "./wb bench --convergence"), given.out)
+    draw(style.read_csv(given.csv, ["hinges", "iterations", "us_per_iteration"],
+                        ["gravity", "method"], "./wb bench --convergence"), given.out)
 
 
 if __name__ == "__main__":

@@ -47,16 +47,16 @@ class Tables:
         return [row for row in self.methods("", *names) if ": " in row["scene"]]
 
     def first(self, level):
-        """Of every scene of the sweeps the engines that reach an error [m] first, and ours' setting
-        that does."""
+        """Of every scene of the sweeps the engines that reach an error [m] first and keep it, and
+        ours' setting that does."""
         rows = self("sweeps")
         for scene in dict.fromkeys(row["scene"] for row in rows):
             mine = [row for row in rows if row["scene"] == scene]
             table = {name: np.array([float(row[name] or "nan") if name in drawing.NUMBERS
                                      else row[name] for row in mine])
                      for name in (*drawing.NUMBERS, *drawing.WORDS)}
-            x, y, good = drawing.points(table)
-            reach = np.where(good & (y <= level) & (table["engine"] == "ours"), x, np.inf)
+            x, y = drawing.kept(table)
+            reach = np.where((y <= level) & (table["engine"] == "ours"), x, np.inf)
             yield scene, drawing.fastest(table, level), table["setting"][np.argmin(reach)]
 
     def soonest(self, scene, error, ours):
@@ -83,17 +83,21 @@ LOOPS = ("four-bar linkage", "slider-crank")
 
 
 def first_at_a_micrometre(tables):
-    """Ours alone are first on all eight scenes, by reduced coordinates on the trees."""
+    """Ours alone are first on the six trees, by reduced coordinates; on the linkages the bench's
+    Runge-Kutta gets there alone."""
     found = list(tables.first(1e-6))
-    return len(found) == 8 and all(
-        engines == {"ours"} and setting.startswith("tree") != (scene in LOOPS)
+    bench = [any(row["scene"] == scene and row["setting"] == "rk4"
+                 and float(row["tip_error_m"]) < 1e-6 for row in tables("sweeps"))
+             for scene in LOOPS]
+    return len(found) == 8 and all(bench) and all(
+        engines == set() if scene in LOOPS else engines == {"ours"} and setting.startswith("tree")
         for scene, engines, setting in found)
 
 
 def first_at_a_millimetre(tables):
     """Ours alone are first on the trees; on the linkages ODE cannot be told from them, and alone
     is first at 10 mm."""
-    return all(engines == {"ours"} if scene not in LOOPS else {"ours", "ODE"} <= engines
+    return all(engines == ({"ours"} if scene not in LOOPS else {"ours", "ODE"})
                for scene, engines, _ in tables.first(1e-3)) and all(
         engines == {"ours" if scene not in LOOPS else "ODE"}
         for scene, engines, _ in tables.first(1e-2))
@@ -159,8 +163,9 @@ CLAIMS = [
                         ("heavy end", "m r^2/I"))
           and some_fail(t, "steps per s", "si30")
           and some_fail(t, "springs in Hz", "warm", "split", "relax"), ("4x8", "inertia")),
-    Claim(GUIDE, "Ours is the first to reach a micrometre on all eight: on the six trees with "
-          "reduced coordinates, on the two closed linkages with Runge-Kutta on rows.",
+    Claim(GUIDE, "Ours is the first to reach a micrometre on the six trees, with reduced "
+          "coordinates; on the two closed linkages no engine does, and Runge-Kutta on rows, which "
+          "belongs to the bench, does.",
           first_at_a_micrometre, ("ours", "MuJoCo")),
     Claim(GUIDE, "It is also the first to reach a millimetre on the trees; on the linkages ODE is "
           "as fast there, and the first to reach 10 mm.", first_at_a_millimetre, ("ODE", "Bullet")),

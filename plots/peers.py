@@ -21,6 +21,7 @@ SHORT = {"velocity": "direct", "shake": "direct, positions", "inertia": "direct,
          "si30": "30 iterations", "beta1": "beta 1", "4x8": "4 x 8", "omega": "over-relaxed",
          "16x2": "16 x 2", "split": "split impulse", "lanes": "lanes", "lanes10": "lanes",
          "rows10": "10 iterations", "tree": "reduced", "tree-rk4": "reduced, Runge-Kutta",
+         "tree-rk4/4": "reduced, Runge-Kutta, 4 substeps",
          "chapter7": "chapter 7's loop", "rk4": "Runge-Kutta", "plain": "direct, no leapfrog",
          "placed": "positions, no leapfrog"}
 LOST = ("nan", "refused", "exploded", "energy+")

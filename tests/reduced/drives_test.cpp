@@ -179,7 +179,7 @@ TEST_CASE("limits of drawn arms hold to a millionth, and a coordinate that hits 
 TEST_CASE("drawn arms with drives of every kind end each step with forces that fit the rates") {
   Random random(52004);
   double worst = 0, misfit = 0;  // of limits; of forces, relative to all of their joint
-  int live = 0, ran = 0, said = 0, at_bounds = 0;
+  int live = 0, ran = 0, said = 0, at_bounds = 0, springs = 0;
   const int arms = 360;
   for (int n = 0; n < arms; ++n) {
     const real size = std::pow(real(10), random.uniform(-2, 1));
@@ -211,39 +211,51 @@ TEST_CASE("drawn arms with drives of every kind end each step with forces that f
       std::size_t at = 0;
       arm.for_each([&](auto& joint) {
         const double unit = std::is_same_v<decltype(joint), SliderJoint&> ? size : real(1);
-        const double x = joint.position(arm.world.bodies), half_way = (x - before[at++]) / h;
+        const double x = joint.position(arm.world.bodies), half_way = (x - before[at]) / h;
         const Range range = joint.limits();
         worst = std::max({worst, (range.lower - x) / unit, (x - range.upper) / unit});
         live += joint.limit_force() != 0;
         const double others = std::abs(joint.limit_force()) + std::abs(joint.spring_force()) +
                               std::abs(joint.motor_force()) + std::abs(joint.friction_force());
         // slower than wanted in both halves of the step: all that it has; faster: all against it
-        const auto compare = [&](double wanted, double force, double strength) {
+        const auto compare = [&](const std::array<double, 2>& wanted, double force,
+                                 double strength) {
           if (!(strength > 0)) return;
-          const double slower = wanted - std::max(half_way, double(joint.speed(arm.world.bodies)));
-          const double faster = std::min(half_way, double(joint.speed(arm.world.bodies))) - wanted;
+          const double rates[] = {half_way, double(joint.speed(arm.world.bodies))};
+          const double least = std::min(wanted[0] - rates[0], wanted[1] - rates[1]);
+          const double most = std::max(wanted[0] - rates[0], wanted[1] - rates[1]);
           const double slop = tolerance(1e-9, 1e-3) * unit;
-          const int sign = slower > slop ? 1 : faster > slop ? -1 : 0;
+          const int sign = least > slop ? 1 : most < -slop ? -1 : 0;
           at_bounds += sign != 0;
           const double off = sign != 0 ? std::abs(force - sign * strength)
                                        : std::abs(force) - strength;
           misfit = std::max(misfit, off / (strength + others));
         };
-        compare(0, joint.friction_force(), joint.friction());
-        if (!(joint.target() < unbounded))
-          compare(joint.motor().speed, joint.motor_force(), joint.motor().strength);
+        compare({}, joint.friction_force(), joint.friction());
+        const double speed = joint.motor().speed, target = joint.target();
+        const auto wanted = [&](double from) {
+          return target < unbounded ? std::clamp(joint.beta * (target - from) / h, -speed, speed)
+                                    : speed;
+        };
+        compare({wanted(before[at]), wanted(x)}, joint.motor_force(), joint.motor().strength);
+        if (const double strength = joint.spring().strength; strength < unbounded) {
+          springs += std::abs(joint.spring_force()) > strength * tolerance(1 - 1e-12, 0.999);
+          misfit = std::max(misfit, (std::abs(joint.spring_force()) - strength) / strength);
+        }
+        ++at;
       });
     }
     ran += all_finite(arm.world);
   }
   INFO("worst " << worst << ", live " << live << ", said " << said << ", misfit " << misfit
-                << ", at bounds " << at_bounds);
+                << ", at bounds " << at_bounds << ", springs " << springs);
   CHECK(said == 0);
   CHECK(ran == arms);
   CHECK(worst < tolerance(1e-6, 1e-3));
   CHECK(misfit < tolerance(1e-9, 1e-1));  // in float 0.03 was seen
   CHECK(live > 30000);
   CHECK(at_bounds > 30000);
+  CHECK(springs > 1000);
 }
 
 TEST_CASE("a motor exerts its bound until it reaches its speed, then the torque that it needs") {

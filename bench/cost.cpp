@@ -57,7 +57,7 @@ namespace {
 constexpr int bodies = 100;  // of a chain
 
 // What a solver takes, each one also what stands before it.
-enum class Takes { plain_hinges, equality_rows, any_rows };
+enum class Takes { plain_hinges, equality_rows, trees, any_rows };
 
 // A kind of joint: how two bodies of a chain are joined by it. Or a whole scene.
 struct Case {
@@ -86,15 +86,18 @@ std::vector<Case> cases() {
       {"hinge + inactive limit",
        [](World& world, BodyId a, BodyId b, const vec3& anchor) {
          hinge(world, a, b, anchor).set_limits(-3, 3);  // [rad], far from both
-       }},
+       },
+       Takes::trees},
       {"hinge + idle motor",
        [](World& world, BodyId a, BodyId b, const vec3& anchor) {
          hinge(world, a, b, anchor).set_motor(1, 0);  // has a speed, is switched off
-       }},
+       },
+       Takes::trees},
       {"hinge + motor",
        [](World& world, BodyId a, BodyId b, const vec3& anchor) {
          hinge(world, a, b, anchor).set_motor(1, 500);
-       }},
+       },
+       Takes::trees},
       {"slider",
        [](World& world, BodyId a, BodyId b, const vec3& anchor) {
          world.add<SliderJoint>(a, b, anchor, vec3(1, 0, 0));
@@ -148,6 +151,8 @@ const Candidate candidates[] = {
     {"direct", {.loop = Loop::direct, .beta = 1, .leapfrog = true}},
     {"direct newton 8", {.loop = Loop::direct, .beta = 1, .leapfrog = true, .newton = 8}},
     {"Runge-Kutta", {.loop = Loop::runge_kutta}, Takes::equality_rows},
+    {"reduced", {.loop = Loop::tree}, Takes::trees},
+    {"reduced Runge-Kutta", {.loop = Loop::tree_runge_kutta}, Takes::equality_rows},
     {"textbook", {.loop = Loop::textbook}, Takes::plain_hinges},  // the tables' unit of time
     {"chapter 7", {.loop = Loop::hinges, .visits = Visits::chain_order}, Takes::plain_hinges}};
 

@@ -42,7 +42,7 @@ def differences(found, kept):
     for one in found.keys() & kept.keys():
         for column in NUMBERS:
             now, then = float(found[one][column]), float(kept[one][column])
-            if abs(now - then) > max(FEW, WITHIN * then):
+            if abs(now - then) > max(FEW, WITHIN * abs(then)):
                 change = f" ({100 * (now / then - 1):+.1f} %)" if then else ""
                 yield f"{one}: {column} {then:g} in the table, {now:g} now{change}"
 

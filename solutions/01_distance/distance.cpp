@@ -10,7 +10,7 @@ namespace joints {
 
 Row CentreDistance::jacobian(const Body& body1, const Body& body2) const {
   // begin [exercise 1.1]
-  // Return the row J of Eq. 1-4. A body's x is its centre, so x1 is body1.x. A Row is written
+  // Return J, the factors of the velocities in Eq. 1-3. x1 is body1.x. A Row is written
   // {v1, w1, v2, w2}; a zero vector is vec3(0). direction(u) gives the unit vector along u.
   const vec3 n = direction(body2.x - body1.x);  // Eq. 1-2
   return {-n, vec3(0), n, vec3(0)};             // Eq. 1-4

@@ -180,7 +180,7 @@ void accelerate(TreeLink& link, const TreeLink& parent) {
   if (link.freedom != Freedom::hinge && link.freedom != Freedom::slider) return;
   // begin [exercise 11.4]
   // Here alpha and a_A are those of the child before its own acceleration along S. If the link is
-  // held, set link.tau by Eq. 11-16 (link.tau - link.k is S^T (n, f)); if not, set
+  // held, set link.tau (link.tau - link.k is S^T (n, f) of the old bias); if not, set
   // link.acceleration by Eq. 11-14. Then add the acceleration along S to alpha or a_A.
   const real felt = dot(link.Uw, link.alpha) + dot(link.Uv, link.a_A);
   if (link.held) {

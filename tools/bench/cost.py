@@ -70,10 +70,10 @@ def main(options):
     print("a chain of 99 joints, 10 iterations a step; bytes and instructions of a joint and step, "
           "with"
           "\nits share of all that a step does; the case none: bodies without joints. Reduced"
-          "\ncoordinates do ten equal chains side by side with Runge-Kutta, and a body without joints"
-          "\nis a tree of its own there, so that a joint saves memory. The ragdolls' joints include a"
-          "\ncontact per body; steps 41 to 44 are counted, in which many land. The bytes of these two"
-          "\nscenes are all that they hold.")
+          "\ncoordinates do ten equal chains side by side with Runge-Kutta; without joints each body"
+          "\nis a tree there, so that a joint saves memory. The ragdolls' joints include a contact"
+          "\nper body; steps 41 to 44 are counted, in which many land. The bytes of these two scenes"
+          "\nare all that they hold.")
     print_table(rows)
     write(COST, rows)
     if not instructions.there():

@@ -70,9 +70,9 @@ def main(options):
     print("a chain of 99 joints, 10 iterations a step; bytes and instructions of a joint and step, "
           "with"
           "\nits share of all that a step does; the case none: bodies without joints. Reduced"
-          "\ncoordinates do ten equal chains side by side with Runge-Kutta; without joints each body"
+          "\ncoordinates do ten equal chains side by side with Runge-Kutta; without joints a body"
           "\nis a tree there, so that a joint saves memory. The ragdolls' joints include a contact"
-          "\nper body; steps 41 to 44 are counted, in which many land. The bytes of these two scenes"
+          "\nper body; steps 41 to 44 are counted, in which many land. The bytes of these scenes"
           "\nare all that they hold.")
     print_table(rows)
     write(COST, rows)

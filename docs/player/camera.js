@@ -44,8 +44,8 @@ const look_from = (yaw, centre, width, height) => view_of(null, width, height,
 // The camera is close: from what a scene begins with it moves to what is seen after a second, and
 // then to all of it, where these are of another size.
 const home_at = ([first, second, whole], t) => t < 1
-  ? between(first, second, clamp((t - 0.3) / 0.6, 0, 1))
-  : between(second, whole, clamp((t - 1) / 2, 0, 1));
+  ? between(first, second, clamp((t - 0.4) / 0.5, 0, 1))
+  : between(second, whole, clamp((t - 1) / 1.2, 0, 1));
 const between = (near, far, s) => ({
   centre: plus(near.centre, s * s * (3 - 2 * s), sub(far.centre, near.centre)),
   distance: near.distance + s * s * (3 - 2 * s) * (far.distance - near.distance)});

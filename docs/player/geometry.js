@@ -121,13 +121,14 @@ function measure(scene) {
   const shown = bodies_at(live[0], 1).filter(body => body.up < 0);
   const [yaw, cover] = [0.42, 0.85, -0.42, -0.85].map(
     aside => [aside - across, covered(shown, look_from(aside - across, centre, ...picture),
-                                      during(0.6, 1.15))]).reduce(
+                                      during(0.85, 1.15))]).reduce(
     (best, one) => one[1] > 1.15 * best[1] ? one : best);
   scene.yaw = yaw;
-  scene.thick = Math.max(...live.map(run => thicken(run, Math.sqrt(0.18 / cover))));
-  if (scene.thick > 1) grow(during(0, Infinity));  // they reach farther now
-  scene.first = during(0, 0.6);  // what the camera shows until it has moved on
-  scene.soon = during(0.6, 1.15);
+  scene.thick = Math.max(...live.map(run => thicken(run, Math.sqrt(0.2 / cover))));
+  if (scene.thick > 1)  // bodies reach farther now; what the scene measures stays as it is
+    scene.points = scene.points.concat(during(0, Infinity));
+  scene.first = during(0, 0.85);  // what the camera shows until it has moved on
+  scene.soon = during(0.85, 1.15);
   find_travellers(scene, live[0], start);
   scene.end = Math.max(...live.map(end));
   scene.step = scene.runs.at(-1).dt;

@@ -7,7 +7,7 @@
 
 #include "engine/kernels.h"
 #include "engine/simd/triple.h"
-#include "engine/todo.h"
+#include "engine/instruments/todo.h"
 #include "reduced/recursion.inl"
 
 namespace joints {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "chapters/01_distance/rods.h"
-#include "engine/todo.h"
 
 /// \addtogroup chapter1
 /// @{

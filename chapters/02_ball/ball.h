@@ -6,7 +6,6 @@
 #include <array>
 
 #include "engine/matrix.h"
-#include "engine/todo.h"
 
 /// \defgroup chapter2 Chapter 2: ball
 /// \brief Three rows solved together, and the rotation of a body in a step.

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "engine/block.h"
-#include "engine/todo.h"
 
 /// \defgroup chapter3 Chapter 3: hinge
 /// \brief Two rows that hold an axis, the angle about it, its limits and its motor.

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "engine/block.h"
-#include "engine/todo.h"
 
 /// \defgroup chapter4 Chapter 4: slider
 /// \brief Two rows that hold a line, three that hold an orientation, and the displacement along it.

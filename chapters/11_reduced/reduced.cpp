@@ -2,7 +2,7 @@
 // README.md. Vectors are in world axes unless their names end in _local.
 #include "chapters/11_reduced/reduced.h"
 
-#include "engine/todo.h"
+#include "engine/instruments/todo.h"
 
 namespace joints {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "engine/real.h"
-#include "engine/todo.h"
+#include "engine/instruments/todo.h"
 
 namespace joints {
 

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "chapters/09_direct/block_kernels.h"
-#include "engine/todo.h"
+#include "engine/instruments/todo.h"
 
 namespace joints {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "chapters/01_distance/distance.h"
-#include "engine/todo.h"
+#include "engine/instruments/todo.h"
 #include "tests/checker/cases.h"
 #include "tests/checker/thrown.h"
 

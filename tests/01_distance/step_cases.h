@@ -1,7 +1,7 @@
 // Exercise 1.4: scenes for the step, and the tables of the reader's step beside the right one.
 #pragma once
 
-#include "engine/todo.h"
+#include "engine/instruments/todo.h"
 #include "tests/01_distance/step_reference.h"
 #include "tests/checker/thrown.h"
 

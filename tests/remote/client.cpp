@@ -11,7 +11,7 @@
 #include <unistd.h>
 #include <unordered_map>
 
-#include "engine/todo.h"
+#include "engine/instruments/todo.h"
 
 namespace joints::testing::remote {
 

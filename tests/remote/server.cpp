@@ -6,7 +6,7 @@
 #include <map>
 #include <unistd.h>
 
-#include "engine/todo.h"
+#include "engine/instruments/todo.h"
 
 namespace joints::testing::remote {
 

@@ -11,50 +11,42 @@ namespace joints::chapter9 {
 
 namespace {
 
-std::vector<Method> methods(const Choice& choice) {
-  return {{choice.iterations}, {4 * choice.iterations}, {0}};
-}
-
 // 100 hinges whose axes all have the direction of the sideways pull.
-void sideways(const Choice& choice, std::vector<Summary>& lines) {
-  CsvFile table(choice.out + "/sideways.csv", {"method", "time_s", "sideways_m", "gap_m"});
+void sideways(const std::string& out, double seconds, const std::vector<int>& methods,
+              std::vector<Summary>& lines) {
+  CsvFile table(out + "/sideways.csv", {"method", "time_s", "sideways_m", "gap_m"});
   sideways_chains(1, 101).print_plan();
-  for (const Method& method : methods(choice)) {
+  for (const int iterations : methods) {
     Scene scene = sideways_chains(1, 101);
-    DirectSolver direct = DirectSolver::velocities_only();
-    direct.newton = 8;
+    DirectSolver direct = with_positions();
+    const std::string name = name_of(iterations);
     double furthest = 0;
-    lines.push_back(play(
-        scene, method.name(), choice.seconds, "",
-        [&](double time) {
-          for (const Body& body : all_of(scene.world.bodies))
-            furthest = std::max(furthest, std::abs(double(body.x.x)));
-          table.row({method.name()}, {time, furthest, widest(scene)});
-        },
-        steps_of(scene, method, direct)));
-    std::printf("%-14s  a cube has gone %.3g m where no hinge lets it go\n",
-                method.name().c_str(), furthest);
+    lines.push_back(play(scene, name, seconds, "", [&](double time) {
+      for (const Body& body : all_of(scene.world.bodies))
+        furthest = std::max(furthest, std::abs(double(body.x.x)));
+      table.row({name}, {time, furthest, widest(scene)});
+    }, steps_of(scene, iterations, direct)));
+    std::printf("%-14s  a cube has gone %.3g m where no hinge lets it go\n", name.c_str(),
+                furthest);
   }
 }
 
 // Twenty welded cubes; the first one is static.
-void sagging(const Choice& choice, std::vector<Summary>& lines) {
-  CsvFile table(choice.out + "/beam.csv", {"method", "time_s", "sag_m"});
+void sagging(const std::string& out, double seconds, const std::vector<int>& methods,
+             std::vector<Summary>& lines) {
+  CsvFile table(out + "/beam.csv", {"method", "time_s", "sag_m"});
   beam(20).print_plan();
-  for (const Method& method : methods(choice)) {
+  for (const int iterations : methods) {
     Scene scene = beam(20);
-    DirectSolver direct = DirectSolver::velocities_only();
-    direct.newton = 8;
-    const auto sag = [&] { return 0 - double(all_of(scene.world.bodies).back().x.y); };
+    DirectSolver direct = with_positions();
+    const std::string name = name_of(iterations);
     double most = 0;
-    lines.push_back(play(
-        scene, method.name(), 2 * choice.seconds, "",
-        [&](double time) {
-          table.row({method.name()}, {time, sag()});
-          most = std::max(most, sag());
-        },
-        steps_of(scene, method, direct)));
-    std::printf("%-14s  the tip of the beam sags by up to %.3g m\n", method.name().c_str(), most);
+    lines.push_back(play(scene, name, seconds, "", [&](double time) {
+      const double sag = 0 - double(all_of(scene.world.bodies).back().x.y);
+      table.row({name}, {time, sag});
+      most = std::max(most, sag);
+    }, steps_of(scene, iterations, direct)));
+    std::printf("%-14s  the tip of the beam sags by up to %.3g m\n", name.c_str(), most);
   }
 }
 
@@ -75,8 +67,7 @@ void alone() {
     Scene scene = sideways_chains(1, 11);
     Body& end = scene.world.bodies.at(10);
     end.inverse_mass /= 10000, end.inverse_inertia_local /= real(10000);
-    DirectSolver direct = DirectSolver::velocities_only();
-    direct.newton = 8, direct.added_inertia = kappa;
+    DirectSolver direct = with_positions(kappa);
     int halved = 0;
     for (int n = 0; n < 300; ++n) {
       step(scene.world, direct, h, {.leapfrog = true});
@@ -95,17 +86,14 @@ void alone() {
               double(hinge.position(scene.world.bodies)));
 }
 
-void together(const Choice& choice, std::vector<Summary>& lines) {
-  sideways(choice, lines);
-  sagging(choice, lines);
-  Scene left = sideways_chains(1, 31), right = sideways_chains(1, 31);  // for the recording
-  DirectSolver direct = DirectSolver::velocities_only();
-  direct.newton = 8;
-  const Method few{choice.iterations};
+// Iterations beside the direct solver, recorded.
+void side_by_side(const std::string& out, double seconds, int iterations) {
+  Scene left = sideways_chains(1, 31), right = sideways_chains(1, 31);
+  DirectSolver direct = with_positions();
   record("pulled sideways",
-         {{left, steps_of(left, few, direct), few.name()},
-          {right, leaps(right, direct), "direct"}},
-         vec3(-6, 0, 0), choice.seconds, choice.out + "/sideways.motion.json");
+         {{left, steps_of(left, iterations, direct), name_of(iterations)},
+          {right, steps_of(right, 0, direct), name_of(0)}},
+         vec3(-6, 0, 0), seconds, out + "/sideways.motion.json");
 }
 
 }  // namespace
@@ -120,11 +108,15 @@ int main(int argc, char** argv) {
                     {{"iterations", "30", "iterations per step, for the comparison"},
                      {"seconds", "5", "how long the chain is pulled, the beam twice as long [s]"}});
     if (!options.read(argc, argv)) return;
-    const Choice choice{options.count("iterations", 1), options.number("seconds", 0.1),
-                        options.text("out")};
+    const int iterations = options.count("iterations", 1);
+    const double seconds = options.number("seconds", 0.1);
+    const std::string out = options.text("out");
+    const std::vector<int> methods = {iterations, 4 * iterations, 0};
     std::vector<Summary> lines;
-    together(choice, lines);
+    sideways(out, seconds, methods, lines);
+    sagging(out, 2 * seconds, methods, lines);
+    side_by_side(out, seconds, iterations);
     alone();
-    report(lines, choice.out);
+    report(lines, out);
   });
 }

@@ -1,5 +1,4 @@
-// What the runs of chapter 9 have in common: a method, a step of it, a recording. Read it; there is
-// nothing to edit here.
+// What the runs of chapter 9 share. Read it; there is nothing to edit here.
 #pragma once
 
 #include "direct/direct_solver.h"
@@ -8,31 +7,21 @@
 /// Chapter 9's program.
 namespace joints::chapter9 {
 
-/// The options of the command line.
-struct Choice {
-  int iterations = 30;  ///< of the runs that are compared
-  double seconds = 5;   ///< duration of the scenes
-  std::string out;      ///< folder of tables and recordings
-};
-
-/// Sequential Impulses with a number of iterations per step, or the direct solver.
-struct Method {
-  int iterations = 0;  ///< 0: direct
-  /// Its name in tables and figures.
-  std::string name() const {
-    return iterations == 0 ? "direct" : std::to_string(iterations) + " iterations";
-  }
-};
-
-/// A step of a scene with a solver, of second order.
-inline std::function<void()> leaps(Scene& scene, Solver& solver) {
-  return [&scene, &solver] { step(scene.world, solver, scene.h, {.leapfrog = true}); };
+/// The name of a method in tables and figures. \param iterations per step; 0: the direct solver
+inline std::string name_of(int iterations) {
+  return iterations == 0 ? "direct" : std::to_string(iterations) + " iterations";
 }
-/// A step of a scene with a method. \param direct the solver for the direct method
-inline std::function<void()> steps_of(Scene& scene, const Method& method, DirectSolver& direct) {
-  if (method.iterations == 0) return leaps(scene, direct);
-  scene.solver.iterations = method.iterations;
-  return [&scene] { scene.step(); };
+/// The direct solver, for positions too. \param kappa added inertia, Eq. 9-14
+inline DirectSolver with_positions(real kappa = 0) {
+  DirectSolver direct;
+  direct.added_inertia = kappa;
+  return direct;
+}
+/// A step of a scene: Sequential Impulses with `iterations`, or the direct solver with leapfrog.
+inline std::function<void()> steps_of(Scene& scene, int iterations, DirectSolver& direct) {
+  if (iterations > 0) scene.solver.iterations = iterations;
+  if (iterations > 0) return [&scene] { scene.step(); };
+  return [&scene, &direct] { step(scene.world, direct, scene.h, {.leapfrog = true}); };
 }
 /// The largest present gap of the scene's joints [m].
 inline double widest(const Scene& scene) {

@@ -15,8 +15,8 @@ void look(World& world, Blocks& blocks, Outcome& out) {
   blocks.clear();
   for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
   for (const Block& block : blocks.list) {
-    if (!block.target.holds_position || block.target.follows != 0) continue;
-    const int equalities = block.rows - block.target.one_sided();
+    if (!block.settings.holds_position || block.settings.follows != 0) continue;
+    const int equalities = block.rows - block.settings.one_sided();
     for (int i = 0; i < block.rows; ++i) {
       const double C = double(blocks.C[std::size_t(block.first + i)]);
       if (i < equalities) out.gap = std::max(out.gap, std::abs(C));

@@ -5,6 +5,7 @@
 #include "bench/draw.h"
 #include "bench/families.h"
 #include "engine/instruments/measure.h"
+#include "engine/kept/kinematic.h"
 #include "joints/driven_joints.h"
 
 namespace joints::bench {

@@ -130,7 +130,7 @@ void RungeKutta::begin(World& world, real h) {
   collect(world, world.blocks, &springs_);
   for (const Blocks* blocks : {&std::as_const(world.blocks), &std::as_const(springs_)})
     for (const Block& block : blocks->list) {
-      const RowSettings& target = block.target;
+      const RowSettings& target = block.settings;
       require(target.lower == -unbounded && target.upper == unbounded && target.follows == 0,
               bounded);
       require((target.frequency > 0) == (blocks == &springs_) && target.rate == 0,
@@ -188,7 +188,7 @@ void RungeKutta::stretch_springs(const Bodies& bodies) const {
     std::fill_n(block.impulse, block.rows, real(0));
     const Row* const J = &springs_.J[std::size_t(block.first)];
     const Body &body1 = bodies.at(block.body1), &body2 = bodies.at(block.body2);
-    const real omega = 2 * std::numbers::pi_v<real> * block.target.frequency;
+    const real omega = 2 * std::numbers::pi_v<real> * block.settings.frequency;
     Row response[6];
     real inverse[36];
     form_responses(J, block.rows, body1, body2, response);
@@ -198,7 +198,7 @@ void RungeKutta::stretch_springs(const Bodies& bodies) const {
       for (int j = 0; j < block.rows; ++j)
         block.impulse[i] -= inverse[i * block.rows + j] * omega *
                             (omega * springs_.C[std::size_t(block.first + j)] +
-                             2 * block.target.damping * row_velocity(J[j], body1, body2));
+                             2 * block.settings.damping * row_velocity(J[j], body1, body2));
   }
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "checker/samples.h"
-#include "engine/part.h"
+#include "engine/parts/part.h"
 
 /// \defgroup checker Checker
 /// \brief Compares the J and the K of any part with finite differences of its C, in words.

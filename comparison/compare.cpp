@@ -116,8 +116,8 @@ class Gauge {
       if (joint->can_move() && !joint->transient()) joint->append(world_.bodies, blocks_);
     }
     for (const Block& block : blocks_.list) {
-      const bool one_sided = block.target.one_sided();  // a soft one has a depth, too
-      if (!block.target.holds_position || (block.target.frequency > 0 && !one_sided)) continue;
+      const bool one_sided = block.settings.one_sided();  // a soft one has a depth, too
+      if (!block.settings.holds_position || (block.settings.frequency > 0 && !one_sided)) continue;
       for (int row = block.first; row < block.first + block.rows; ++row) {
         const Row& J = blocks_.J[std::size_t(row)];
         const double C = double(blocks_.C[std::size_t(row)]);

@@ -124,12 +124,12 @@ inline void PointContacts::set_restitution(ContactPoint& point, real h) const {
 inline void apply_restitution(World& world, Solver& solver, real h) {
   Blocks& blocks = world.blocks;
   for (const Block& block : blocks.list) {
-    if (!block.target.one_sided()) continue;
+    if (!block.settings.one_sided()) continue;
     const int last = block.first + block.rows - 1;
     real& C = blocks.C[std::size_t(last)];
     if (C <= 0)
-      C = corrected(block.target, C,
-                    soft_coefficients(block.target, h, blocks.duration_or(h)).rate);
+      C = corrected(block.settings, C,
+                    soft_coefficients(block.settings, h, blocks.duration_or(h)).rate);
     C = std::max(real(0), C + h * row_velocity(blocks.J[std::size_t(last)],
                                               world.bodies.at(block.body1),
                                               world.bodies.at(block.body2)));

@@ -119,7 +119,7 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
 bool DirectSolver::collect_blocks(const Bodies& bodies) {
   followed_.clear();
   for (const Block& block : blocks_->list)
-    if (block.target.follows != 0) followed_.push_back(block.impulse + block.target.follows);
+    if (block.settings.follows != 0) followed_.push_back(block.impulse + block.settings.follows);
   std::sort(followed_.begin(), followed_.end());
   bool changed = islands_.given.size() != blocks_->list.size();
   if (islands_.given.capacity() < blocks_->list.size())
@@ -127,7 +127,7 @@ bool DirectSolver::collect_blocks(const Bodies& bodies) {
   islands_.given.resize(blocks_->list.size());
   BlockPattern* known = islands_.given.data();
   for (const Block& block : blocks_->list) {
-    const bool bounded = block.target.lower > -unbounded || block.target.upper < unbounded;
+    const bool bounded = block.settings.lower > -unbounded || block.settings.upper < unbounded;
     const BlockPattern now{
         {block.body1, block.body2},
         {!bodies.at(block.body1).is_static(), !bodies.at(block.body2).is_static()},
@@ -140,7 +140,7 @@ bool DirectSolver::collect_blocks(const Bodies& bodies) {
 
 // True for rows whose bound depends on another impulse, and for the rows of these impulses.
 bool DirectSolver::is_outside(const Block& block) const {
-  if (block.target.follows != 0) return true;
+  if (block.settings.follows != 0) return true;
   const auto next = std::lower_bound(followed_.begin(), followed_.end(), block.impulse);
   return next != followed_.end() && *next < block.impulse + block.rows;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/kernels.h"
+#include "engine/rotation/free_rotation.h"
 
 namespace joints {
 
@@ -116,7 +117,7 @@ void Positions::find_corrected() {
     const JointSystem& system = island.system;
     for (std::size_t k = 0; k < system.blocks.size(); ++k) {
       const int block = system.blocks[k].block;
-      const RowSettings& target = list_[block].target;
+      const RowSettings& target = list_[block].settings;
       if (system.is_spring(int(k)) || !target.holds_position) continue;
       const double* const original = &system.A.original[system.row_of(system.blocks[k])];
       for (int i = 0; i < list_[block].rows - (target.rate != 0); ++i)
@@ -172,7 +173,7 @@ void Positions::evaluate(bool rows) {
   for_islands([&](Island& island, int) {
     for (const BoundedRow& bound : island.system.bounded) {
       double& C = C_of(island, bound);
-      const bool one_sided = list_[island.system.blocks[bound.block].block].target.one_sided();
+      const bool one_sided = list_[island.system.blocks[bound.block].block].settings.one_sided();
       if (bound.side != Side::free && !(rows && C < 0 && one_sided)) C = 0;
     }
   });

@@ -17,15 +17,15 @@ void Blocks::shrink_to_fit() {
 }
 
 bool Blocks::add(const Bodies& bodies, BodyId id1, BodyId id2, short rows, Form form,
-                 const RowSettings& target, real* impulse) {
+                 const RowSettings& settings, real* impulse) {
   const int slot1 = bodies.index(id1), slot2 = bodies.index(id2);
   if (bodies.at(slot1).is_static() && bodies.at(slot2).is_static()) {
     std::fill_n(impulse, rows, real(0));
     return false;
   }
   const bool corrects =  // without branches
-      target.holds_position & (target.follows == 0) & !(target.frequency > 0);
-  list.push_back({slot1, slot2, int(C.size()), rows, form, corrects, target, impulse});
+      settings.holds_position & (settings.follows == 0) & !(settings.frequency > 0);
+  list.push_back({slot1, slot2, int(C.size()), rows, form, corrects, settings, impulse});
   for (int i = 0; i < rows; ++i) C.push_back(0);
   if (!errors_only && J.size() < C.size()) extend_J();
   return true;
@@ -38,7 +38,7 @@ bool Blocks::add(const Bodies& bodies, BodyId id1, BodyId id2, short rows, Form 
 
 std::pair<int, int> followed_row(const Blocks& blocks, int k) {
   const Block& block = blocks.list[std::size_t(k)];
-  const int follows = block.target.follows, row = block.first + follows;
+  const int follows = block.settings.follows, row = block.first + follows;
   require(block.rows == 1, "follows: only a block of one row can follow another impulse");
   const int count = int(blocks.list.size()), direction = follows > 0 ? 1 : -1;
   for (int other = k + direction; other >= 0 && other < count; other += direction) {

@@ -25,10 +25,11 @@ struct RowSettings {
   real frequency = 0;  ///< above 0: a spring of this natural frequency [Hz] replaces beta
   real damping = 1;    ///< damping ratio of that spring [1]
   real rate = 0;       ///< target rate of the last row [unit of C per s]: the speed of a motor
-  bool holds_position = true;  ///< true: C is an error to be removed; false: only a rate is given
-  /// If not 0: the bounds of this block of one row are -+upper * Block::impulse[follows]. Then
-  /// `upper` is a factor [1], and `lower` is ignored. The row of that impulse is one-sided, so that
-  /// the bounds are in order, and stands `follows` rows later in Blocks.
+  bool holds_position = true;  ///< true: C is computed and fed back; false: only a rate is given
+  /// If not 0: friction. The bounds of this block of one row are -+upper times another impulse,
+  /// that of the normal row, which stands `follows` rows later in Blocks, and in the array
+  /// Block::impulse too, or earlier if negative. `upper` is then a factor [1], and `lower` is
+  /// ignored. The other row is one-sided, so its impulse is never negative.
   int follows = 0;
   real lower = -unbounded;  ///< least force of the last row [N or N m]; 0 for C >= 0
   real upper = unbounded;   ///< greatest force of the last row [N or N m]
@@ -42,9 +43,9 @@ struct RowSettings {
 /// Its name before version 0.10.
 using RowTarget [[deprecated("write RowSettings")]] = RowSettings;
 
-/// RowSettings converted for a step of a given length: bounds as impulses, and the coefficients in
-/// dlambda = -mass_scale K^-1 (J V + bias) - impulse_scale lambda, which iterative solvers add to
-/// the accumulated impulses.
+/// RowSettings converted for a step of a given length, of soft and of hard rows: bounds as impulses,
+/// and the coefficients of the change that an iterative solver adds to an accumulated impulse
+/// lambda, dlambda = -mass_scale K^-1 (J V + bias) - impulse_scale lambda.
 struct SoftCoefficients {
   real rate;           ///< factor of C in the bias [1/s]: beta/h for hard rows
   real softness;       ///< J V + bias + softness K lambda = 0 is solved [1]; 0 for hard rows
@@ -57,18 +58,18 @@ struct SoftCoefficients {
 /// \param h step [s] \param relaxation over-relaxation [1]
 /// \param duration of the impulses of the step, Blocks::duration_or() [s]
 /// Source: Catto, "Soft Constraints", GDC 2011.
-inline SoftCoefficients soft_coefficients(const RowSettings& target, real h, real duration,
+inline SoftCoefficients soft_coefficients(const RowSettings& row, real h, real duration,
                                           real relaxation = 1) {
-  real rate = target.beta / h, softness = 0;
-  if (target.frequency != 0) {
-    const real omega = 2 * std::numbers::pi_v<real> * target.frequency;
-    const real a1 = 2 * target.damping + h * omega;
+  real rate = row.beta / h, softness = 0;
+  if (row.frequency != 0) {
+    const real omega = 2 * std::numbers::pi_v<real> * row.frequency;
+    const real a1 = 2 * row.damping + h * omega;
     rate = omega / a1, softness = 1 / (duration * omega * a1);
   }
   const real mass_scale = relaxation / (1 + softness);
-  const real unit = target.follows == 0 ? duration : real(1);  // of a force; factors stay
-  return {rate, softness, mass_scale, relaxation - mass_scale, unit * target.lower,
-          unit * target.upper};
+  const real impulse_scale = relaxation - mass_scale;  // relaxation softness / (1 + softness)
+  const real unit = row.follows == 0 ? duration : real(1);  // makes a force an impulse
+  return {rate, softness, mass_scale, impulse_scale, unit * row.lower, unit * row.upper};
 }
 
 /// The header of a block. Its rows and errors are in the flat arrays of Blocks, from `first` on.
@@ -77,32 +78,34 @@ struct Block {
   int first = 0;                    ///< where its rows begin in Blocks::J and Blocks::C
   short rows = 0;                   ///< 1 to 6
   Form form = Form::any;            ///< the form of its rows
-  /// True if C is an error to be removed. False if only a rate is given, if the bounds follow an
-  /// impulse, or if C is the deflection of a spring of the joint (RowSettings::frequency).
+  /// True for hard rows that hold a position: a way to step may make them soft, or correct their
+  /// error by other means. False if only a rate is given, if the bounds follow an impulse, or for
+  /// a spring of the joint (RowSettings::frequency).
   bool corrects = false;
-  RowSettings target;                 ///< feedback, target rate and bounds
+  RowSettings settings;             ///< feedback, target rate and bounds
   real* impulse = nullptr;          ///< the accumulated impulses [N s or N m s], in the joint
 };
 
-/// The part of the error C <= 0 of a one-sided row that the step corrects.
-/// \param rate SoftCoefficients::rate [1/s] \return unit of C, not positive
-inline real corrected(const RowSettings& target, real C, real rate) {
-  return std::max(std::min(C + target.slop, real(0)), -target.push / rate);
+/// The part of the error C <= 0 of a one-sided row that the step corrects, without the slop and at
+/// most at the speed `push`. \param rate SoftCoefficients::rate [1/s]
+/// \return unit of C, not positive
+inline real corrected(const RowSettings& row, real C, real rate) {
+  return std::max(std::min(C + row.slop, real(0)), -row.push / rate);
 }
-/// The bias of a row for its error C alone, at most `push`; that of a spring has no bound.
-/// \param rate SoftCoefficients::rate [1/s]
+/// The bias of a row that is not one-sided, without its target rate. That of a hard row is at most
+/// `push`. \param rate SoftCoefficients::rate [1/s]
 inline real feedback(const Block& block, real C, real rate) {
-  const real most = block.corrects ? block.target.push : unbounded;
+  const real most = block.corrects ? block.settings.push : unbounded;
   return std::min(std::max(rate * C, -most), most);
 }
-/// The bias of row `i` of a block, minus the required J V, from its error C.
+/// The bias of row `i` of a block from its error C: solvers make J V + bias = 0. That of a
+/// one-sided row with C > 0 is C / h, as for a rope (Eq. 1-11): the gap may close, but not more.
 /// \param rate SoftCoefficients::rate [1/s] \param h step [s]
 inline real bias(const Block& block, int i, real C, real rate, real h) {
   if (i < block.rows - 1) return feedback(block, C, rate);
-  const RowSettings& target = block.target;
-  if (!target.one_sided()) return feedback(block, C, rate) - target.rate;
-  // speculative while C > 0: the gap may close, but not more
-  return (C > 0 ? C / h : rate * corrected(target, C, rate)) - target.rate;
+  const RowSettings& last = block.settings;
+  if (!last.one_sided()) return feedback(block, C, rate) - last.rate;
+  return (C > 0 ? C / h : rate * corrected(last, C, rate)) - last.rate;
 }
 
 /// The blocks of one step: a list of headers and two flat arrays.
@@ -116,8 +119,8 @@ class Blocks {
   void (*after_move)(World& world, Solver& solver, real h) = nullptr;
   bool errors_only = false;  ///< append only C and no rows of J: for the errors at other poses
   real last_impulse_duration = 0;  ///< that of the last step [s]; 0 before the first
-  /// The duration of this step's impulses [s], by which a force is multiplied: h, or with leapfrog
-  /// the mean of the last h and this one.
+  /// The duration of this step's impulses [s], by which a force is multiplied. You may take it as
+  /// h: only leapfrog steps that change h have another one, the mean of the last h and this one.
   real impulse_duration = 0;
   /// Warm-start data of a solver in addition to the impulses; part of a world's state.
   mutable std::vector<real> memory;
@@ -129,25 +132,25 @@ class Blocks {
   void truncate(int count);      ///< removes all blocks but the first `count`
   void shrink_to_fit();          ///< gives back the memory that the present blocks do not need
 
-  /// Appends the rows of a part (part.h) between two bodies at their present poses. Between two
-  /// static bodies it appends nothing and sets the impulses to zero.
+  /// Appends the rows of a part (engine/parts) between two bodies at their present poses. Between
+  /// two static bodies it appends nothing and sets the impulses to zero.
   /// \param impulse the accumulated impulses, one per row; the joint owns them
-  template <class Part>
-  void append(const Bodies& bodies, BodyId id1, BodyId id2, const Part& part,
-              const RowSettings& target, real* impulse) {
-    if (!add(bodies, id1, id2, Part::rows, Part::form, target, impulse)) return;
+  template <class P>
+  void append(const Bodies& bodies, BodyId id1, BodyId id2, const P& part,
+              const RowSettings& settings, real* impulse) {
+    if (!add(bodies, id1, id2, P::rows, P::form, settings, impulse)) return;
     const Body &body1 = bodies.at(list.back().body1), &body2 = bodies.at(list.back().body2);
-    if (target.holds_position) write_error(part, body1, body2, C.data() + list.back().first);
+    if (settings.holds_position) write_error(part, body1, body2, C.data() + list.back().first);
     if (!errors_only) write_jacobian(part, body1, body2, J.data() + list.back().first);
   }
 
   /// The same from given J and C.
   template <int N>
   void append(const Bodies& bodies, BodyId id1, BodyId id2, const Jacobian<N>& rows_J,
-              const std::type_identity_t<Vector<N>>& rows_C, const RowSettings& target,
+              const std::type_identity_t<Vector<N>>& rows_C, const RowSettings& settings,
               real* impulse, Form form = Form::any) {
     static_assert(N >= 1 && N <= 6, "a block has one to six rows");
-    if (!add(bodies, id1, id2, N, form, target, impulse)) return;
+    if (!add(bodies, id1, id2, N, form, settings, impulse)) return;
     const int first = list.back().first;
     std::copy(rows_C.begin(), rows_C.end(), C.begin() + first);
     if (!errors_only) std::copy(rows_J.row.begin(), rows_J.row.end(), J.begin() + first);
@@ -156,7 +159,7 @@ class Blocks {
  private:
   // Adds a header and makes room for its rows; false between two static bodies.
   bool add(const Bodies& bodies, BodyId id1, BodyId id2, short rows, Form form,
-           const RowSettings& target, real* impulse);
+           const RowSettings& settings, real* impulse);
   void extend_J();  // to the rows of all blocks
 };
 

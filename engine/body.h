@@ -11,6 +11,9 @@
 /// @{
 namespace joints {
 
+// A cache, for speed alone: while a step makes its rows, the matrices of each body are computed
+// once (HeldMatrices below). A reader may skip these two.
+
 /// The orientation of a body as matrices.
 struct BodyMatrices {
   mat3 R;                ///< body space to world
@@ -40,7 +43,7 @@ struct Body {
   /// joint changes them. A static body that is not kinematic stays where it is, even if v is not
   /// zero: a belt.
   bool kinematic = false;
-  // From here on only steps write: a reader may skip these, up to use_mean_rate().
+  // Only steps write these four; engine/rotation explains the first three.
   bool w_is_mean = false;  ///< w is the mean rate of a step that has begun: see use_mean_rate()
   vec3 precession{0};      ///< mean rate minus the rate at the step's beginning [rad/s, world]
   vec3 mean{0};            ///< the mean rate without the step's impulses [rad/s, world]
@@ -59,6 +62,9 @@ struct Body {
 /// are finite, q has length 1, inverse mass and moments are all zero (static) or all positive, and
 /// only a static body is kinematic
 void check(const Body& body);
+/// Validates its inertia. \throws std::invalid_argument if a moment of inertia is larger than the
+/// sum of the other two
+void check_moments(const Body& body);
 
 /// Rotates a direction or lever from body space into world space: R(q) local.
 inline vec3 to_world(const Body& body, const vec3& local) {
@@ -119,45 +125,21 @@ Body body_with(real mass, const vec3& inertia_local, const vec3& x,
 /// exp(phi) = (cos |phi|/2, sin(|phi|/2) phi/|phi|), accurate down to |phi| = 0.
 quat rotation(const vec3& phi);
 
-/// Replaces w by the mean angular velocity of the next h seconds of free rotation. Rows that are
-/// solved with it hold for the rotation that the body really does, and their impulses change the
-/// angular momentum as usual. \param h step [s]
-void use_mean_rate(Body& body, real h);
-/// Takes back what use_mean_rate() has added: w is that of the body's angular momentum again.
-void use_own_rate(Body& body);
-/// Where a blow has changed the momentum of a body that rotates by 0.3 rad in a step or more: the
-/// mean rate for the new momentum. \param h step [s] \return true if w has changed
-bool renew_mean_rate(Body& body, real h);
-/// The first part of a step: changes the velocities by gravity, external force and torque, and
-/// calls use_mean_rate(). \param gravity [m/s^2] \param h step [s]
+/// The first part of a step: changes the velocities by gravity, external force and torque. Until
+/// the last part, w of a body whose moments differ is then the mean rate of the coming rotation
+/// (use_mean_rate() in engine/rotation). \param gravity [m/s^2] \param h step [s]
 void integrate_forces(Body& body, const vec3& gravity, real h);
 /// The largest component of a velocity at the end of a step [m/s or rad/s]. A diverging simulation
 /// continues until its impulses overflow, which step() reports.
 constexpr real max_speed = real(3e8);
 /// Scales finite velocities down to max_speed.
 void clamp_speed(Body& body);
-/// The rotation of a body on which no torque acts. Its angular momentum L [N m s, world] is kept,
-/// so w changes if its moments of inertia differ.
-///
-/// The energy |L|^2/(2 I_m) + L_a^2 (1/I_a - 1/I_m)/2 + L_b^2 (1/I_b - 1/I_m)/2 has three terms,
-/// with L_a and L_b along the body's axes of the largest and the smallest moment. Under each term
-/// alone the body rotates at a constant rate: by h L/I_m about L in the world, and about its own
-/// axis a by h L_a (1/I_a - 1/I_m), and about b likewise. The first rotation does not change the
-/// others, which are done in the order half of a, all of b, half of a. So the result is exact if
-/// two moments are equal, of second order and symmetric in time if they are not, and its energy
-/// oscillates without a trend. Eq. 2-11. Source: Touma and Wisdom, "Lie-Poisson integrators for
-/// rigid body dynamics in the solar system", 1994. \param h step [s]
-void rotate_freely(Body& body, real h);
-/// The last part of a step: clamps the velocities, moves the centre by h v and rotates the body by
-/// h w. It does not rotate by h w but as rotate_freely() if w is not a mean. The angular momentum
-/// is kept in both cases. A kinematic body is moved by its v and w. \param h step [s]
+/// The last part of a step: clamps the velocities, moves the centre by h v and rotates the body. If
+/// its moments are equal, it rotates by h w. If they differ, its angular momentum is kept and w
+/// changes: by rotate_freely() in engine/rotation if no impulse has changed w in this step, or if
+/// the body is thin; else by h w, as w is a mean rate. A kinematic body is moved by its v and w.
+/// \param h step [s]
 void integrate_pose(Body& body, real h);
-/// Sets v and w of a kinematic body such that it is at x and q after h seconds. It keeps these
-/// velocities until the program sets others. Of the two rotations that lead to q, it takes the
-/// shorter one. \param x its centre then [m] \param q its orientation then (normalised here)
-/// \param h time until then [s], the length of a whole step, whatever its substeps
-/// \throws std::invalid_argument unless the body is kinematic, all is finite and h positive
-void move_to(Body& body, const vec3& x, const quat& q, real h);
 /// Identifies a body until it is removed: a slot of the array, and a count by which ids of removed
 /// bodies and of other arrays are detected.
 struct BodyId {
@@ -173,8 +155,7 @@ class Bodies {
  public:
   Bodies() : first_generation_(new_generation()) {}
   /// Adds a body. If the length of q is 1 within 5e-4, q is normalised.
-  /// \throws std::invalid_argument as check(const Body&), or if a moment of inertia is larger than
-  /// the sum of the other two
+  /// \throws std::invalid_argument as check() and check_moments()
   BodyId add(const Body& body);
   void remove(BodyId id);        ///< Removes a body. \throws std::invalid_argument for a stale id
   /// True if this id identifies a body of this array.
@@ -214,7 +195,7 @@ class Bodies {
   std::vector<Body> bodies_;
   std::vector<std::uint32_t> generation_;  // odd while the slot holds a body
   std::vector<std::uint32_t> free_;
-  std::vector<BodyMatrices> matrices_;  // of each slot
+  std::vector<BodyMatrices> matrices_;  // those in use, one after the other
 };
 
 /// Computes the matrices of all bodies once, for all calls of to_world() and inverse_inertia()
@@ -235,7 +216,8 @@ class HeldMatrices {
 inline void integrate_forces(Bodies& bodies, const vec3& gravity, real h) {
   for (Body& body : bodies) integrate_forces(body, gravity, h);
 }
-/// renew_mean_rate() for all bodies. \return true if one of them has changed
+/// Where impulses have changed w by more than a tenth, and the body rotates by 0.3 rad in a step or
+/// more: the mean rate for the new momentum. \param h step [s] \return true if a w has changed
 bool renew_mean_rates(Bodies& bodies, real h);
 /// integrate_pose() for all bodies.
 inline void integrate_poses(Bodies& bodies, real h) {

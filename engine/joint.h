@@ -60,16 +60,15 @@ class Joint {
   /// Called once per step, before append(). \param h step [s]
   /// \param duration for which the step's impulses act [s]: not h with leapfrog; 0 for h
   void begin_step(const Bodies& bodies, real h, real duration = 0) {
-    h_ = h;
     impulse_duration_ = duration > 0 ? duration : h;
     can_move_ = !bodies.at(int(body1.slot)).is_static() || !bodies.at(int(body2.slot)).is_static();
     can_move_ ? update_active_rows(bodies, h) : deactivate();
   }
   /// True if at least one of its bodies was not static when the last step began.
   bool can_move() const { return can_move_; }
-  /// Appends the live blocks at the bodies' present poses. It may be called again at other poses.
+  /// Appends the active blocks at the bodies' present poses. It may be called again at other poses.
   virtual void append(const Bodies& bodies, Blocks& blocks) const = 0;
-  /// Called before append() whenever position projection may have moved the bodies: a joint that
+  /// Called after position projection has moved bodies, before the next append(): a joint that
   /// counts turns measures its angle again.
   virtual void after_projection(const Bodies&) {}
   /// Called after each solve if a body can move: appends limits that the new velocities would
@@ -91,17 +90,16 @@ class Joint {
     return impulse_duration_ > 0 ? impulse / impulse_duration_ : real(0);
   }
   std::uint64_t number() const { return number_; }  ///< see JointId; 0 outside of a world
-  real last_h() const { return h_; }  ///< length of the last step [s], 0 before the first
   /// Blocks::impulse_duration of the last step [s]; 0 before the first.
   real impulse_duration() const { return impulse_duration_; }
   /// For a way to move bodies that appends no rows. \param duration of the impulses [s]
   void set_impulse_duration(real duration) { impulse_duration_ = duration; }
 
  protected:
-  /// The joint's own part of begin_step(): counts turns, chooses the live rows, sets the impulse of
-  /// a row to zero that is no longer live. \param h step [s]
+  /// The joint's own part of begin_step(): counts turns, chooses the active rows, sets the impulse
+  /// of a row to zero that is no longer active. \param h step [s]
   virtual void update_active_rows(const Bodies&, [[maybe_unused]] real h) {}
-  /// Called instead of update_active_rows() if both bodies are static. Then no row is live.
+  /// Called instead of update_active_rows() if both bodies are static. Then no row is active.
   virtual void deactivate() {}
   /// For engine/kept: lists every variable that a later step may read, such as accumulated
   /// impulses, always the same number of them in the same order.
@@ -120,7 +118,7 @@ class Joint {
   void require_two() const {
     require(!(body1 == body2), "body2: a joint needs two different bodies");
   }
-  real h_ = 0, impulse_duration_ = 0;  // of the last step [s]
+  real impulse_duration_ = 0;  // of the last step [s]
   std::size_t place_ = 0;     // in World::joints()
   std::uint64_t number_ = 0;  // of all joints that were ever added to a world
 };

@@ -48,38 +48,40 @@ inline Jacobian<3> jacobian_from_blocks(const mat3& v1, const mat3& w1, const ma
   return {{row(0), row(1), row(2)}};
 }
 
-/// The geometry of a joint is a part: error() returns its C and jacobian() its J (part.h). Both may
-/// return a scalar, a GLM type or an array; to_vector and to_jacobian convert them all to arrays.
+// The geometry of a joint is a part: error() returns its C and jacobian() its J
+// (engine/parts/part.h).
+
+/// What error() may return as an array: a scalar,
 inline Vector<1> to_vector(real a) { return {a}; }
-/// From a 3-vector.
+/// a 3-vector,
 inline Vector<3> to_vector(const vec3& a) { return {a.x, a.y, a.z}; }
-/// Already of that kind.
+/// or already an array.
 template <std::size_t N>
 const std::array<real, N>& to_vector(const std::array<real, N>& a) { return a; }
-/// See to_vector(): one row.
+/// What jacobian() may return as an array of rows: one row,
 inline Jacobian<1> to_jacobian(const Row& row) { return {{row}}; }
-/// Already of that kind.
+/// or already an array.
 template <int N>
 const Jacobian<N>& to_jacobian(const Jacobian<N>& J) { return J; }
 
-/// The form of a part's rows, known from its type. It lets solvers use a shorter formula.
+/// The form of a part's rows, known from its type. Solvers on lanes use a shorter formula for some.
 enum class Form : signed char {
   any,      ///< nothing is known of the rows
   angular,  ///< v1 = v2 = 0 and w1 = -w2
   point     ///< three rows v1 = -E, w1 = skew(r1), v2 = E, w2 = -skew(r2), then angular rows
 };
 
-/// Writes C of a part to `C`. A composite writes its parts one after the other.
-template <class Part>
-void write_error(const Part& part, const Body& body1, const Body& body2, real* C) {
-  const Vector<Part::rows> error = to_vector(part.error(body1, body2));
-  for (int i = 0; i < Part::rows; ++i) C[i] = error[i];
+/// Writes C of a part to `C`. A Composite has functions of its own in place of these two.
+template <class P>
+void write_error(const P& part, const Body& body1, const Body& body2, real* C) {
+  const Vector<P::rows> error = to_vector(part.error(body1, body2));
+  for (int i = 0; i < P::rows; ++i) C[i] = error[i];
 }
-/// Writes the rows of a part to `J`; see write_error().
-template <class Part>
-void write_jacobian(const Part& part, const Body& body1, const Body& body2, Row* J) {
+/// Writes the rows of a part to `J`.
+template <class P>
+void write_jacobian(const P& part, const Body& body1, const Body& body2, Row* J) {
   using Rows = decltype(part.jacobian(body1, body2));  // Row or Jacobian
-  static_assert(sizeof(Rows) == Part::rows * sizeof(Row));
+  static_assert(sizeof(Rows) == P::rows * sizeof(Row));
   ::new (J) Rows(part.jacobian(body1, body2));  // in place, without a copy
 }
 

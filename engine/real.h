@@ -36,12 +36,15 @@ using vec3 = glm::vec<3, real, glm::defaultp>;     ///< a column of three number
 using mat3 = glm::mat<3, 3, real, glm::defaultp>;  ///< 3x3, stored by columns: M[column][row]
 using quat = glm::qua<real, glm::defaultp>;        ///< (w, x, y, z), rotates body space into world
 
-/// Of a number that is not real, as in `2 * v`, GLM has no product with a vector.
+/// A number of another type. GLM multiplies a vector by `real` alone; the deleted operators below
+/// make the compiler say so.
 template <class Number>
 concept OtherNumber = std::is_arithmetic_v<Number> && !std::same_as<Number, real>;
 template <OtherNumber N> vec3 operator*(N, const vec3&) = delete;  ///< write real(2) * v
 template <OtherNumber N> vec3 operator*(const vec3&, N) = delete;  ///< write v * real(2)
 template <OtherNumber N> vec3 operator/(const vec3&, N) = delete;  ///< write v / real(2)
+
+// Two guards at link time, which a reader may skip.
 
 /// GLM_FORCE_CTOR_INIT changes how GLM's vectors are copied and passed.
 using GlmKind = std::conditional_t<std::is_trivially_copyable_v<vec3>, struct DefaultGlm,

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "engine/kernels.h"
+#include "engine/kernels.h"  // Twelve: the numbers of a row, or of two bodies' velocities
 
 namespace joints {
 
@@ -19,17 +19,17 @@ Twelve velocities(const Body& body1, const Body& body2) {
 // A static body keeps its velocities, even if an impulse is not finite.
 void set_velocities(Body& body1, Body& body2, const Twelve& twelve) {
   const real* const V = reinterpret_cast<const real*>(&twelve);
-  const auto set = [](Body& body, const real* V) {
+  const auto set = [](Body& body, const real* six) {
     if (body.is_static()) return;
-    body.v = vec3(V[0], V[1], V[2]);
-    body.w = vec3(V[3], V[4], V[5]);
+    body.v = vec3(six[0], six[1], six[2]);
+    body.w = vec3(six[3], six[4], six[5]);
   };
   set(body1, V);
   set(body2, V + 6);
 }
 
 // V += lambda M^-1 J^T.
-void push(Twelve& V, real lambda, const Row& response) {
+void apply_impulse(Twelve& V, real lambda, const Row& response) {
   for (int k = 0; k < 12 / register_size; ++k) V.part[k] += lambda * twelve(response).part[k];
 }
 
@@ -42,37 +42,37 @@ void SequentialImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int
   if (first == 0) {
     prepared_.blocks.clear();
     prepared_.rows.clear();
-    prepared_.inverse_K.clear();
+    prepared_.scaled_inverse_K.clear();
   }
   for (int k = first; k < int(blocks.list.size()); ++k) {
     const Block& block = blocks.list[std::size_t(k)];
-    if (block.target.follows != 0) followed_row(blocks, k);  // rejects one that follows no row
+    if (block.settings.follows != 0) followed_row(blocks, k);  // rejects one that follows no row
     add(bodies, blocks, block, h);
   }
 }
 
 void SequentialImpulses::add(const Bodies& bodies, const Blocks& blocks, const Block& block,
                              real h) {
-  auto& [prepared, rows, inverse_K] = prepared_;
-  const PreparedBlock out{block, int(inverse_K.size()),
-                          soft_coefficients(block.target, h, blocks.duration_or(h), relaxation)};
+  auto& [prepared, rows, matrices] = prepared_;
+  const PreparedBlock out{block, int(matrices.size()),
+                          soft_coefficients(block.settings, h, blocks.duration_or(h), relaxation)};
   prepared.push_back(out);
 
   const int n = block.rows;
   const Row* const J = &blocks.J[std::size_t(block.first)];
   Row response[6];
   form_responses(J, n, bodies.at(block.body1), bodies.at(block.body2), response);
-  inverse_K.resize(inverse_K.size() + std::size_t(n * n));
-  real* const inverse = inverse_K.data() + out.first_K;
+  matrices.resize(matrices.size() + std::size_t(n * n));
+  real* const inverse = matrices.data() + out.first_K;
   form_K(J, response, n, inverse);
   invert_symmetric(inverse, n);
 
   const real over_last = inverse_above(inverse[n * n - 1], 0);
   for (int i = 0; i < n; ++i)
     rows.push_back({response[i], bias(block, i, blocks.C[std::size_t(block.first + i)],
-                                      out.step.rate, h),
+                                      out.coefficients.rate, h),
                     inverse[i * n + n - 1] * over_last});
-  for (int i = 0; i < n * n; ++i) inverse[i] *= out.step.mass_scale;
+  for (int i = 0; i < n * n; ++i) inverse[i] *= out.coefficients.mass_scale;
 }
 
 void SequentialImpulses::warm_start(Bodies& bodies, real ratio) {
@@ -86,9 +86,10 @@ void SequentialImpulses::warm_start(Bodies& bodies, real ratio) {
     Twelve V = velocities(body1, body2);
     for (int i = 0; i < block.rows; ++i) {
       real& lambda = block.impulse[i];
-      const bool live = prepared_.inverse_K[block.first_K + i * block.rows + i] > 0;
-      lambda = live ? ratio * lambda : 0;
-      push(V, lambda, prepared_.rows[std::size_t(block.first + i)].response);
+      const bool independent =
+          prepared_.scaled_inverse_K[block.first_K + i * block.rows + i] > 0;
+      lambda = independent ? ratio * lambda : 0;
+      apply_impulse(V, lambda, prepared_.rows[std::size_t(block.first + i)].response);
     }
     set_velocities(body1, body2, V);
   }
@@ -119,8 +120,8 @@ void SequentialImpulses::solve_block(Body* bodies, const Row* J, const PreparedB
   Body &body1 = bodies[block.body1], &body2 = bodies[block.body2];
   J += block.first;
   const PreparedRow* row = &prepared_.rows[std::size_t(block.first)];
-  const real* inverse_K = &prepared_.inverse_K[std::size_t(block.first_K)];
-  const SoftCoefficients& target = block.step;
+  const real* inverse_K = &prepared_.scaled_inverse_K[std::size_t(block.first_K)];
+  const SoftCoefficients& by = block.coefficients;
   Twelve V = velocities(body1, body2);
 
   real e[N];  // velocity error of each row: J V + bias
@@ -130,15 +131,15 @@ void SequentialImpulses::solve_block(Body* bodies, const Row* J, const PreparedB
   for (int i = 0; i < N; ++i) dlambda[i] = -(inverse_K[i] * e[0]);
   for (int j = 1; j < N; ++j)
     for (int i = 0; i < N; ++i) dlambda[i] -= inverse_K[j * N + i] * e[j];
-  if (target.impulse_scale != 0)
-    for (int i = 0; i < N; ++i) dlambda[i] -= target.impulse_scale * block.impulse[i];
+  if (by.impulse_scale != 0)
+    for (int i = 0; i < N; ++i) dlambda[i] -= by.impulse_scale * block.impulse[i];
 
   // Clamp the accumulated impulse of the last row, and solve the other rows again for the clamped
   // value: each changes by clamp_response per unit of the cut.
   const real wanted = block.impulse[N - 1] + dlambda[N - 1];
-  real lower = target.lower, upper = target.upper;
-  if (N == 1 && block.target.follows != 0) {  // bounds are -+upper * impulse[follows]
-    upper *= block.impulse[block.target.follows];
+  real lower = by.lower, upper = by.upper;
+  if (N == 1 && block.settings.follows != 0) {  // bounds are -+upper * impulse[follows]
+    upper *= block.impulse[block.settings.follows];
     lower = -upper;
   }
   const real kept = std::clamp(wanted, lower, upper), cut = kept - wanted;
@@ -149,7 +150,7 @@ void SequentialImpulses::solve_block(Body* bodies, const Row* J, const PreparedB
 
   for (int i = 0; i < N; ++i) {
     block.impulse[i] += dlambda[i];
-    push(V, dlambda[i], row[i].response);  // V += M^-1 J^T dlambda
+    apply_impulse(V, dlambda[i], row[i].response);  // V += M^-1 J^T dlambda
   }
   set_velocities(body1, body2, V);
 }

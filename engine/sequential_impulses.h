@@ -18,15 +18,15 @@ struct PreparedRow {
 
 /// A block with the data that the inner loop needs.
 struct PreparedBlock : Block {
-  int first_K;      ///< index of the first number of K^-1 in Prepared::inverse_K
-  SoftCoefficients step;  ///< its target as scales and bounds
+  int first_K;  ///< where its matrix begins in Prepared::scaled_inverse_K
+  SoftCoefficients coefficients;  ///< its settings as scales and bounds
 };
 
 /// The prepared blocks of a step: bias, scales, bounds and the inverse of K, all for one h.
 struct Prepared {
   std::vector<PreparedBlock> blocks;  ///< in the order of Blocks::list
-  std::vector<PreparedRow> rows;      ///< one for each of Blocks::J
-  std::vector<real> inverse_K;        ///< mass_scale K^-1, rows x rows numbers per block
+  std::vector<PreparedRow> rows;      ///< one for each row, as in Blocks::C
+  std::vector<real> scaled_inverse_K;  ///< mass_scale K^-1, rows x rows numbers per block
 };
 
 /// @}

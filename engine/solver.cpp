@@ -11,7 +11,7 @@ void Solver::prepared_for(const Bodies& bodies, const Blocks& blocks, int first)
   bodies_ = &bodies;
   slots_ = bodies.slots();
   blocks_ = &blocks;
-  if (first == 0 || rows_ == known) rows_ = rows;  // else a gap is left, and blocks_of() refuses
+  if (first == 0 || rows_ == known) rows_ = rows;  // else blocks were left out: blocks_of() throws
 }
 
 const Blocks& Solver::blocks_of(const Bodies& bodies) const {

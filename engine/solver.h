@@ -11,8 +11,9 @@
 namespace joints {
 
 /// Computes impulses such that each row reaches its target rate or one of its bounds, and applies
-/// them to the bodies. The step calls prepare, warm_start and solve in this order, and then prepare
-/// and solve again as long as late limits add blocks. A new solver is one class in one file.
+/// them to the bodies. The step calls prepare, warm_start and solve in this order. Then it calls
+/// solve again for rotations that have changed, and prepare and solve as long as missed limits add
+/// blocks. A new solver is one class in one file.
 class Solver {
  public:
   virtual ~Solver() = default;
@@ -22,7 +23,8 @@ class Solver {
   /// Computes all data that solve() needs for the blocks from number `first` on. \param h step [s]
   virtual void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) = 0;
   /// Multiplies the accumulated impulses of the last step by `ratio` and applies them.
-  /// \param ratio h over the last step's h [1]; 0 for a cold start, which sets the impulses to zero
+  /// \param ratio duration of this step's impulses over that of the last step's [1]; 0 for a cold
+  /// start, which sets the impulses to zero
   virtual void warm_start(Bodies& bodies, real ratio) = 0;
   /// Changes velocities and accumulated impulses so that they approach the solution.
   virtual void solve(Bodies& bodies) = 0;
@@ -41,7 +43,7 @@ class Solver {
   /// To be called by prepare(), with the same arguments.
   void prepared_for(const Bodies& bodies, const Blocks& blocks, int first);
   /// The blocks of the last prepare(). \throws std::logic_error if that call had other bodies, or
-  /// if rows or bodies have been added or removed since
+  /// if there are now more or fewer rows or slots than were prepared
   const Blocks& blocks_of(const Bodies& bodies) const;
 
  private:

@@ -3,8 +3,8 @@
 
 namespace joints {
 
-// How often a step is solved again at most because a blow has changed the mean rate at which a body
-// rotates (use_mean_rate() in body.h). A new rate changes the impulses, but less each time.
+// How often a step is solved again at most because impulses have changed the mean rate at which a
+// body rotates (engine/rotation). A new rate changes the impulses, but less each time.
 static constexpr int most_renewals = 3;
 
 void step(World& world, Solver& solver, real h, bool warm_start, const StepMethod& method) {
@@ -21,11 +21,11 @@ void begin_step(World& world, Solver& solver, real h, bool warm_start, const Ste
   blocks.impulse_duration = duration;
   world.last_h = h;
 
-  const bool first_rows = blocks.J.empty();  // the array never shrinks: empty in the first step
+  const bool had_rows = !blocks.J.empty();  // clear() leaves J as long as it was
   blocks.clear();
   for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h, duration);
   for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
-  if (first_rows) blocks.shrink_to_fit();  // mostly these rows remain
+  if (!had_rows) blocks.shrink_to_fit();  // mostly the rows of the first step remain
   method.change_blocks(blocks, 0);
   solver.prepare(world.bodies, blocks, 0, h);
   const real ratio = before == 0 ? real(1) : duration / before;
@@ -37,7 +37,7 @@ void solve_step(World& world, Solver& solver, real h, const StepMethod& method) 
   for (int renewals = 0;;) {
     solver.solve(world.bodies);
     const int known = int(blocks.list.size());
-    for (const auto& joint : world.joints())  // late limits: passed within this step otherwise
+    for (const auto& joint : world.joints())
       if (joint->can_move()) joint->activate_missed_limits(world.bodies, h, blocks);
     if (int(blocks.list.size()) > known) {
       method.change_blocks(blocks, known);

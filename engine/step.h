@@ -38,7 +38,8 @@ void step(World& world, Solver& solver, real h, bool warm_start, const StepMetho
 /// Integrates the forces, collects the joints' blocks, prepares them, and performs the warm or cold
 /// start. \throws std::invalid_argument if RowSettings::follows of a block refers to no row
 void begin_step(World& world, Solver& solver, real h, bool warm_start, const StepMethod& method);
-/// Solves, and again as long as the new velocities would pass limits within this step.
+/// Solves, and again as long as the new velocities would pass limits within this step, or have
+/// changed the mean rate of a fast rotation (at most three times).
 void solve_step(World& world, Solver& solver, real h, const StepMethod& method);
 /// Moves the bodies.
 void end_step(World& world, Solver& solver, real h, const StepMethod& method);

@@ -8,8 +8,8 @@ namespace joints {
 
 void World::adopt(std::unique_ptr<Joint> joint) {
   joint->check_input(bodies);
-  static std::atomic<std::uint64_t> joints{0};  // of all worlds
-  joint->number_ = ++joints;
+  static std::atomic<std::uint64_t> count{0};  // of all worlds
+  joint->number_ = ++count;
   joint->place_ = joints_.size();
   joints_.push_back(std::move(joint));
 }

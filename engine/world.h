@@ -66,7 +66,8 @@ class World {
   J& add(Bodies&, Arguments&&... arguments) {
     return add<J>(std::forward<Arguments>(arguments)...);
   }
-  /// Removes one joint, in constant time. \throws std::invalid_argument if it is of another world
+  /// Removes one joint; the next joints() closes its place.
+  /// \throws std::invalid_argument if it is of another world
   void remove(const Joint& joint);
   // By an id that is checked (engine/kept/joint_id.h):
   template <class J> J& operator[](JointId<J> id) const;

@@ -2,7 +2,7 @@
 // edit here.
 #pragma once
 
-#include "engine/part.h"
+#include "engine/parts/part.h"
 #include "joints/free_coordinate.h"
 
 /// \addtogroup chapter3

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "engine/part.h"
+#include "engine/parts/part.h"
 #include "joints/limits_and_springs.h"
 
 /// \addtogroup chapter3

@@ -5,7 +5,7 @@
 
 #include "engine/joint.h"
 #include "engine/kept/state_stream.h"
-#include "engine/part.h"
+#include "engine/parts/part.h"
 
 /// \addtogroup joint
 /// @{

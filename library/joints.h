@@ -20,6 +20,7 @@
 #include "engine/instruments/measure.h"
 #include "engine/instruments/rate.h"
 #include "engine/kept/joint_id.h"
+#include "engine/kept/kinematic.h"
 #include "engine/kept/reaction.h"
 #include "engine/kept/state.h"
 #include "engine/sequential_impulses.h"

@@ -16,15 +16,16 @@ from matplotlib.patches import FancyBboxPatch
 ROOT = Path(__file__).absolute().parent.parent
 
 # Each group of folders, and the words below its name.
-GROUPS = {"tests": "the proofs", "live": "docs/live", "library": "joints.h, packages",
-          "bench": "error and time", "comparison": "all methods", "programs": "chapters/*/program",
-          "reduced": "trees without rows", "joints": "what a user adds",
+GROUPS = {"tests": "everything is tested", "live": "the live page", "library": "one include",
+          "bench": "error and time", "comparison": "all methods", "programs": "one a chapter",
+          "reduced": "trees without rows", "joints": "finished joints",
           "contacts": "ground, points", "direct": "the direct solver",
-          "solutions": "the exercises", "chapters": "texts and parts", "instruments": "measuring",
-          "steps": "other ways to step", "checker": "parts, differences",
-          "kept": "saving, reactions", "simd": "engine/simd",
-          "core": "engine/*: bodies, blocks, step, solvers"}
-ENGINE, EXERCISES = ("core", "kept", "simd", "steps", "instruments"), ("chapters", "solutions")
+          "solutions": "the answers", "chapters": "the exercises", "instruments": "measuring",
+          "steps": "other ways to step", "checker": "checks a part",
+          "kept": "saves, validates", "simd": "SIMD lanes", "rotation": "free rotation",
+          "parts": "what a part is", "core": "engine/*: bodies, blocks, step, solvers"}
+ENGINE = ("core", "kept", "parts", "rotation", "simd", "steps", "instruments")
+EXERCISES = ("chapters", "solutions")
 
 
 def box(ax, place, size, name, said, colour, gid=None):
@@ -38,17 +39,18 @@ def box(ax, place, size, name, said, colour, gid=None):
 
 def cycle(ax):
     """The path of a step."""
-    title(ax, 380, "a step goes round once")
-    stations = (("Body", "poses, velocities"), ("Joint", "rows of two bodies"),
-                ("Block", "rows, errors, targets"), ("Solver", "computes impulses"))
+    title(ax, 380, "one step goes round once")
+    stations = (("Body", "pose and velocity"), ("Joint", "knows the geometry"),
+                ("Block", "plain numbers"), ("Solver", "finds the impulses"))
     for k, (name, said) in enumerate(stations):
-        box(ax, (106 + 183 * k, 286), (150, 48), name, said, (BODY1, BODY2)[k % 2])
+        box(ax, (92 + 192 * k, 286), (136, 48), name, said, BODY1)
         if k:
-            arrow(ax, (181 + 183 * (k - 1), 286), (31 + 183 * k, 286), INK)
-    line(ax, (655, 262), (655, 222), INK, "solid", 2.2)
-    line(ax, (655, 222), (106, 222), INK, "solid", 2.2)
-    arrow(ax, (106, 222), (106, 262), INK)
-    below(ax, 380, "new velocities, then new poses", 204)
+            arrow(ax, (160 + 192 * (k - 1), 286), (24 + 192 * k, 286), INK)
+            words(ax, (188 + 192 * (k - 1), 302), ("poses", "C and J", "rows")[k - 1], FAINT, 10)
+    line(ax, (668, 262), (668, 222), INK, "solid", 2.2)
+    line(ax, (668, 222), (92, 222), INK, "solid", 2.2)
+    arrow(ax, (92, 222), (92, 262), INK)
+    below(ax, 380, "impulses change the velocities, and these move the bodies", 206)
 
 
 def levels(ax):
@@ -63,8 +65,9 @@ def levels(ax):
             f"{name} on level {level}")
     arrow(ax, (28, top - 30), (28, 40), ARROW, 3)
     words(ax, (14, 255), "includes", ARROW, 12, rotation=90)
-    below(ax, 120, "blue: the engine", top - 18, BODY1)
-    below(ax, 560, "orange: what you write", top - 18, BODY2)
+    for k, (text, colour) in enumerate((("the engine", BODY1), ("the exercises", BODY2),
+                                        ("what stands on them", FAINT))):
+        words(ax, (180 + 170 * k, top - 20), text, colour, 10.5, weight="bold")
 
 
 if __name__ == "__main__":

@@ -22,8 +22,8 @@ def draw_piston(solution, mine, out):
     table = whole(first)
     t = table["time_s"]
     figure, (left, right) = style.figure(
-        f"A piston: the motor gives at most {abs(table['motor_n']).max():.0f} N; at both ends the "
-        "limit carries the rest", 2)
+        f"A piston: the motor never exceeds {abs(table['motor_n']).max():.0f} N; a limit exerts "
+        "what more is needed to stop", 2)
     left.plot(t, table["displacement_m"], color=COLOURS[0 if mine else 1],
               label="_", linewidth=3 if mine else 1.8)
     if mine:
@@ -34,20 +34,22 @@ def draw_piston(solution, mine, out):
         left.axhline(limit, color=PALE, linewidth=0.8)
         left.text(0.98, limit + 0.004, f"{words} limit, {limit:g} m", ha="right",
                   va="bottom", fontsize=8.5, color=PALE, transform=left.get_yaxis_transform())
-    left.set(xlabel="time  [s]", ylabel="displacement  [m]", xlim=(0, 3.6), ylim=(-0.03, 0.45),
+    left.set(xlabel="time  [s]", ylabel="displacement  [m]", xlim=(0, 3), ylim=(-0.03, 0.45),
              title="up and down once" + (": yours (thick), the solution's" if mine else ""))
     for column, colour, label in (("limit_n", COLOURS[1], "limit"),
                                   ("motor_n", COLOURS[0], "motor")):
-        right.step(t[1:], table[column][1:], color=colour, label=label)
+        right.step(t[1:], table[column][1:], color=colour, label=label, linewidth=1.3)
     for force in (-BOUND, BOUND):
         right.axhline(force, color=PALE, linewidth=0.8, dashes=(4, 2))
-    right.text(0.02, BOUND + 6, f"bounds of the motor, ±{BOUND} N", fontsize=8.5,
-               color=PALE, transform=right.get_yaxis_transform())
+    for time, force, said in ((0.98, BOUND, f"most of the motor, {BOUND} N"),
+                              (0.46, -BOUND - 26, f"{-BOUND} N")):
+        right.text(time, force + 6, said, fontsize=8.5, color=PALE, ha="right",
+                   transform=right.get_yaxis_transform())
     for stop, words, side in ((np.argmin(table["limit_n"]), "stops it at the top", -1),
                               (np.argmax(table["limit_n"]), "stops it at the bottom", 1)):
         right.text(t[stop] - 0.08 * side, table["limit_n"][stop], words, va="center",
                    ha="right" if side > 0 else "left", fontsize=8.5, color=COLOURS[1])
-    right.set(xlabel="time  [s]", ylabel="force along the line  [N]", xlim=(0, 3),
+    right.set(xlabel="time  [s]", ylabel="force along the axis  [N]", xlim=(0, 3),
               title="forces on the piston, upwards positive")
     label_ends(right)
     style.save(figure, out / "04_piston")

@@ -51,20 +51,21 @@ def draw_anchor(solution, mine, out):
     apart, whole = rows(table, blocks="3+3"), rows(table, blocks="6x6")
     far = apart["lever_m"].argmax(), whole["lever_m"].argmax()
     figure, ax = style.figure(
-        f"An iteration with the anchor {apart['lever_m'][far[0]]:g} m away: two blocks (3+3) leave "
-        f"{100 * apart['measured'][far[0]]:.3g} % of the error, "
-        f"one block (6x6) {abs(100 * whole['measured'][far[1]]):.0f} %")
+        "A fixed joint solved as one block of six rows leaves "
+        f"{abs(100 * whole['measured'][far[1]]):.0f} % of the error, as two blocks of three up to "
+        f"{100 * apart['measured'][far[0]]:.3g} %")
     lever = np.linspace(0, 10, 300)
     ax.plot(lever, lever ** 2 / (1 / 6 + lever ** 2), color=INK, linewidth=1, dashes=(4, 2),
-            label=r"$m r^2/(i + m r^2)$")
+            label="_")
+    ax.text(1.35, 0.86, "dashed: derived, $m r^2/(i + m r^2)$", fontsize=8.5, va="top")
     ax.plot(apart["lever_m"], apart["measured"], color=COLOURS[0], marker="o", linestyle="none",
-            label="3+3, measured")
-    ax.plot(apart["lever_m"], apart["left_after_30"], color=COLOURS[2], marker="^",
-            label="3+3, after\n30 more iterations")
+            label="two blocks,\none iteration")
+    ax.plot(apart["lever_m"], apart["left_after_30"], color=COLOURS[2], marker="^", zorder=4,
+            label="two blocks,\n30 more")
     ax.plot(whole["lever_m"], whole["measured"], color=COLOURS[1], marker="s",
-            label="6x6, measured")
+            label="one block,\none iteration")
     ax.set(xlabel="distance of the anchor from the cube's centre  [m]",
-           ylabel="what is left of the error, as a fraction", ylim=(-0.04, 1.04), xlim=(0, 10.2))
+           ylabel="what is left of the velocity error  [1]", ylim=(-0.04, 1.04), xlim=(0, 10.2))
     label_ends(ax)
     style.save(figure, out / "05_anchor")
 

@@ -46,13 +46,17 @@ def fed_back(ax):
     line(ax, (wall, 62), (wall, 318), BODY1, "solid", 2.4)
     for k in range(4):
         y, place = 290 - 64 * k, wall + gap * (1 - BETA) ** k
-        body(ax, (place + size / 2, y), (size, size), 0, BODY2, k > 0, 5)
+        body(ax, (place + size / 2, y), (size, size), 0, BODY2, k < 3, 5)
         line(ax, (wall, y - 8), (place, y - 8), INK, "solid", 1.6)
         arrow(ax, (place, y + 7), (place - BETA * (place - wall), y + 7), ARROW, 2.6)
         dot(ax, (place, y - 8), BODY2, 6)
         dot(ax, (wall, y - 8), BODY1, 6)
         words(ax, (place + size + 8, y), ("$C_0$", "$(1-\\beta)\\,C_0$", "$(1-\\beta)^2\\,C_0$",
                                           "$(1-\\beta)^3\\,C_0$")[k], INK, 12, ha="left")
+    for k, said in enumerate(("start", "step 1", "step 2", "step 3")):
+        words(ax, (308, 290 - 64 * k), said, FAINT, 10)
+    words(ax, (wall + gap / 2, 270), "gap", FAINT, 11)
+    words(ax, (wall + gap - 30, 313), "velocity", ARROW, 11)
     below(ax, 170, "the gap shrinks by the factor $1 - \\beta$ in each")
 
 
@@ -63,8 +67,11 @@ def projected(ax):
     line(ax, (wall, y - 60), (wall, y + 60), BODY1, "solid", 2.4)
     body(ax, (wall + gap + size / 2, y), (size, size), 0, BODY2, True, 5)
     body(ax, (wall + size / 2, y), (size, size), 0, BODY2, rounding=5)
-    arrow(ax, (wall + gap - 2, y), (wall + size + 4, y), INK, 2.2, dashed=True)
+    line(ax, (wall + size, y - 8), (wall + gap, y - 8), INK, "solid", 1.6)
+    arrow(ax, (wall + gap - 2, y + 7), (wall + size + 4, y + 7), INK, 2.2, dashed=True)
+    dot(ax, (wall + gap, y - 8), BODY2, 6)
     dot(ax, (wall, y - 8), BODY1, 6)
+    words(ax, (wall + size + 56, y + 22), "moved", INK, 11)
     words(ax, (wall + gap + size + 8, y), "$C_0$", INK, 12, ha="left")
     below(ax, 510, "the gap is closed after one step")
 
@@ -98,11 +105,11 @@ def closing(ax):
 
 def closed(ax):
     """Right: the gap is closed, and an angular velocity stays."""
-    title(ax, 450, "closed: the rotation stays")
+    title(ax, 450, "closed: it keeps spinning")
     _, x = free_axis(ax, (370, 176), 22, (0, 0))
-    turn(ax, x, 50, 4, 40, BODY2, 2.8)
-    words(ax, x + (10, 60), "$\\omega_{\\mathrm{left}}$", BODY2, 15)
-    below(ax, 450, "no row of a hinge stops it", 72)
+    turn(ax, x, 48, -40, 84, BODY2, 2.8)
+    words(ax, x + (16, 66), "$\\omega$ is left", BODY2, 13)
+    below(ax, 450, "a hinge does not resist this spin", 72)
 
 
 if __name__ == "__main__":

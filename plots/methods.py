@@ -7,7 +7,7 @@ methods.py --csv bench/measured/methods.csv --maps docs/maps.svg
 methods.py --csv bench/measured/trajectories.csv --maps docs/maps_motion.svg
 """
 import numpy as np
-from matplotlib.collections import LineCollection, PatchCollection
+from matplotlib.collections import PatchCollection
 from matplotlib.patches import Rectangle
 
 import style
@@ -20,20 +20,19 @@ ORDER = ["si30", "beta1", "4x8", "16x2", "warm", "projection", "split", "relax",
          "inertia", "velocity/8", "shake/8", "inertia/8", "rk4"]
 TITLES = {"si30": "30\niterations", "beta1": "beta 1", "4x8": "4 substeps\nof 8",
           "16x2": "16 substeps\nof 2", "warm": "warm and\nprojection", "projection": "projection",
-          "split": "split\nimpulse", "relax": "soft and\nrelax",
-          "omega": "over-relaxed\n1.9", "velocity": "direct", "shake": "direct,\npositions",
-          "inertia": "direct,\nthe default", "velocity/8": "direct,\n8 substeps",
-          "shake/8": "positions,\n8 substeps",
-          "inertia/8": "the default,\n8 substeps", "rk4": "Runge-\nKutta",
+          "split": "split\nimpulse", "relax": "soft and\nrelax", "omega": "over-relaxed\n1.9",
+          "velocity": "direct,\nvelocities", "shake": "direct,\npositions",
+          "inertia": "direct\n(default)", "velocity/8": "direct, velocities,\n8 substeps",
+          "shake/8": "direct, positions,\n8 substeps",
+          "inertia/8": "direct (default),\n8 substeps", "rk4": "Runge-\nKutta",
           "tree": "reduced", "tree-rk4": "reduced,\nRunge-Kutta"}
-MAPS = {"heavy end": ("mass of\nthe end", "gap_max_m"),
-        "m r^2/I": ("smaller beads:\n$m r^2/I$", "gap_max_m"),
-        "steps per s": ("steps per\nsecond", "gap_max_m"),
-        "links": ("hinges of\na chain", "gap_max_m"),
-        "springs in Hz": ("wrong sag of\nsprings [Hz]", "found")}
-LOOKS = {kind: {"facecolor": named(name), "edgecolor": "white", "linewidth": 0.8}
-         for kind, name in enumerate(("green", "ok", "torn", "orange"))} | {
-    -1: {"facecolor": EMPTY, "edgecolor": named("behind"), "linewidth": 0, "hatch": "////"}}
+# What changes in a map, from easy to hard.
+MAPS = {"heavy end": "mass of the end\nof a chain [links]", "m r^2/I": "smaller beads:\n$m r^2/I$",
+        "steps per s": "fewer steps\nper second", "links": "more hinges\nin a chain"}
+HARDER_FIRST = "steps per s"  # its table begins with the hardest
+FAILED = {"facecolor": EMPTY, "edgecolor": named("behind"), "linewidth": 0, "hatch": "////"}
+GAPS = [named(name) for name in ("green", "ok", "torn", "orange")]
+ENERGIES = [style.plt.cm.Purples(share) for share in (0.12, 0.35, 0.62, 0.92)]
 LEAST, MOST = 1e-3, 1e3  # of the colours [mm]
 
 
@@ -70,11 +69,9 @@ def paint(ax, cells, width, height):
         spine.set_visible(False)
 
 
-def error_of(row, what="gap_max_m"):
-    """The error in a cell [mm]: NaN where the run failed or gained energy."""
-    if row["status"] in ("energy+", "exploded", "nan"):
-        return np.nan
-    return abs(row["found"] - row["expected"]) if what == "found" else 1000 * row["gap_max_m"]
+def gap_of(row):
+    """The gap in a cell [mm]: NaN where the run failed or gained energy."""
+    return np.nan if row["status"] in ("energy+", "exploded", "nan") else 1000 * row["gap_max_m"]
 
 
 def draw_scenes(rows, methods, path):
@@ -89,7 +86,7 @@ def draw_scenes(rows, methods, path):
             ("inertia", "the default")) if name in methods))
     figure.set_size_inches(0.72 * len(methods) + 1.2, 0.31 * len(scenes) + 1.1)
     paint(ax, {(methods.index(row["method"]), scenes.index(row["scene"])):
-               (error_of(row), f"{short(row['us_per_step'])} us")
+               (gap_of(row), f"{short(row['us_per_step'])} us")
                for row in rows if row["scene"] in scenes and row["method"] in methods},
           len(methods), len(scenes))
     ax.set_xticks(range(len(methods)), [TITLES[name] for name in methods], fontsize=7.5)
@@ -104,68 +101,87 @@ def held(row):
     return row["status"] in ("ok", "soft")
 
 
-def draw_map(rows, methods, path, what, limits, title, words):
-    """A panel for each number that changes: its values are the columns, the methods the rows.
-    `what` of a row is in one of four classes, up to each of the limits; a cell without class has
-    failed, and a line is drawn around these."""
-    columns = {family: list(dict.fromkeys(row["scene"].partition(": ")[2] for row in rows
-                                          if row["scene"].startswith(family + ": ")))
+def title_of(method):
+    return TITLES[method].replace("\n", " ")
+
+
+def cases(rows):
+    """The rows of the maps: of scenes in which one number changes."""
+    return [row for row in rows if row["scene"].partition(": ")[0] in MAPS]
+
+
+def draw_map(rows, ends, path, what, colours, limits, title, words, lost):
+    """A panel for each number that changes: its values are the columns, from easy to hard, the
+    methods the rows. `what` of a row is in one of four classes, up to each of the limits; a cell
+    without class has failed, which `lost` explains. `ends` has what stands at the right end of
+    each method's row."""
+    columns = {}
+    for row in rows:
+        family, _, value = row["scene"].partition(": ")
+        columns.setdefault(family, {})[value] = None
+    columns = {family: list(columns[family])[::-1 if family == HARDER_FIRST else 1]
                for family in MAPS}
-    columns = {family: values for family, values in columns.items() if any(
-        held(row) for row in rows if row["scene"].startswith(family + ": "))}
+    looks = {kind: {"facecolor": colour, "edgecolor": "white", "linewidth": 0.8}
+             for kind, colour in enumerate(colours)} | {-1: FAILED}
+    methods = list(ends)
     figure, axes = style.figure(title, len(columns), sharey=True,
                                 width_ratios=[len(values) for values in columns.values()])
+    figure.set_size_inches(style.WIDTH, 1.9 + 0.19 * len(methods))
     for ax, (family, values) in zip(axes, columns.items()):
         kinds = np.full((len(methods), len(values)), -1)
         for row in rows:
-            if row["scene"].startswith(family + ": ") and row["method"] in methods and held(row):
-                kinds[methods.index(row["method"]), values.index(row["scene"].partition(": ")[2])] \
-                    = np.searchsorted(limits, what(row, MAPS[family][1]))
-        for kind, look in LOOKS.items():
+            mine, _, value = row["scene"].partition(": ")
+            if mine == family and row["method"] in methods and held(row):
+                kinds[methods.index(row["method"]), values.index(value)] \
+                    = np.searchsorted(limits, what(row))
+        for kind, look in looks.items():
             ax.add_collection(PatchCollection([Rectangle((x - 0.5, y - 0.5), 1, 1) for y, x in
                                                np.argwhere(kinds == kind)], **look))
-        ax.add_collection(LineCollection(
-            [np.add((x, y), ends) for y, x in np.ndindex(kinds.shape) for to, ends in (
-                ((y, x + 1), ((0.5, -0.5), (0.5, 0.5))), ((y + 1, x), ((-0.5, 0.5), (0.5, 0.5))))
-             if to in np.ndindex(kinds.shape) and (kinds[to] < 0) != (kinds[y, x] < 0)],
-            colors=INK, linewidths=2.2, zorder=5))
         ax.set(xlim=(-0.5, len(values) - 0.5), ylim=(len(methods) - 0.5, -0.5))
         ax.set_xticks(range(len(values)), [f"$10^{value[2:]}$" if value.startswith("1e") else value
-                                           for value in values], fontsize=8, rotation=90)
-        ax.set_title(MAPS[family][0], fontsize=8.5)
+                                           for value in values], fontsize=7)
+        ax.set_title(MAPS[family], fontsize=8.5)
+        ax.set_xlabel("harder \N{RIGHTWARDS ARROW}", fontsize=8)
         ax.tick_params(length=0)
         ax.grid(False)
         ax.spines[:].set_visible(False)
-    axes[0].set_yticks(range(len(methods)), [TITLES[name].replace("\n", " ") for name in methods])
-    figure.supxlabel(" ")  # the room of the legend
-    figure.legend([Rectangle((0, 0), 1, 1, **look) for look in LOOKS.values()], [*words, "failed"],
-                  loc="lower center", ncol=5, frameon=False, fontsize=9)
+    axes[0].set_yticks(range(len(methods)), [title_of(name) for name in methods])
+    for line, name in enumerate(methods):
+        axes[-1].annotate(ends[name], (1.03, line), xycoords=("axes fraction", "data"),
+                          va="center", fontsize=8.5)
+    figure.supxlabel(" ", fontsize=16)  # the room of the legend
+    words += (lost,) * bool(lost)
+    figure.legend([Rectangle((0, 0), 1, 1, **look) for look in looks.values()][:len(words)], words,
+                  loc="lower center", ncol=5, frameon=False, fontsize=8, handlelength=1.5,
+                  columnspacing=1.2)
     style.save(figure, path)
 
 
 def draw_maps(rows, methods, path):
     """The map of the gaps, or that of the energy that it costs if the path says so; those first
     that hold most."""
-    rows = [row for row in rows if ": " in row["scene"] and row["method"] in methods]
+    rows = [row for row in cases(rows) if row["method"] in methods]
     of = {name: [row for row in rows if row["method"] == name] for name in methods}
-    of = {name: of[name] for name in sorted(filter(of.get, of), key=lambda name: sum(
-        not held(row) for row in of[name]))}
-    always = [name for name, mine in of.items() if all(held(row) for row in mine)]
+    counts = {name: sum(map(held, mine)) for name, mine in of.items() if mine}
+    order = sorted(counts, key=counts.get, reverse=True)
+    most = len(of[order[0]])
+    always = [name for name in order if counts[name] == most]
+    if "energy" not in path.name:
+        draw_map(rows, {name: f"{counts[name]} of {most}" for name in order}, path, gap_of,
+                 GAPS, (1, 10, 100),
+                 f"{len(always)} of {len(order)} methods hold the joints together in all {most} "
+                 "cases", ("gap below 1 mm", "1 to 10 mm", "10 to 100 mm", "above"),
+                 "failed: open, or energy gained")
+        return
 
     def price(name):
         return 100 * max(-row["energy_drift"] for row in of[name])
-    if "energy" not in path.name:
-        draw_map(rows, list(of), path, error_of, (1, 10, 100),
-                 f"{len(always)} of {len(of)} methods hold all {len(of[always[0]])} cases",
-                 ("gap below 1 mm", "to 10 mm", "to 100 mm", "above"))
-        return
-    draw_map([row for row in rows if np.isfinite(row["energy_drift"]) or not held(row)], list(of),
-             path, lambda row, _: -100 * row["energy_drift"], (1, 10, 50),
-             "Largest part of the energy that it costs to hold all: " + "; ".join(
-                 f"{price(name):.0f} % with {TITLES[name]}".replace("\n", " ")
-                 for name in sorted(always, key=price, reverse=True)
-                 if name in (max(always, key=price), "inertia", min(always, key=price))),
-             ("energy lost: below 1 %", "to 10 %", "to 50 %", "above"))
+    always.sort(key=price)
+    draw_map(rows, {name: f"at worst {price(name):.0f} %" for name in always}, path,
+             lambda row: -100 * row["energy_drift"], ENERGIES, (1, 10, 50),
+             f"The price of holding all: at worst {price(always[0]):.0f} to "
+             f"{price(always[-1]):.0f} % of the energy is lost",
+             ("below 1 % lost", "1 to 10 %", "10 to 50 %", "above"), "")
 
 
 def draw_motion(rows, path):
@@ -173,17 +189,18 @@ def draw_motion(rows, path):
     as in the table of docs/measurements.md. Those first that are near most often."""
     for row in rows:
         row["status"] = "ok" if row["first_second_m"] < 10 else "lost"
-    rows = [row for row in rows if ": " in row["scene"] and row["method"] in TITLES
-            and not row["scene"].startswith("springs")]
+    rows = [row for row in cases(rows) if row["method"] in TITLES]
     methods = list(dict.fromkeys(row["method"] for row in rows))
     near = {name: sum(row["first_second_m"] < 0.01 for row in rows if row["method"] == name)
             for name in methods}
     methods.sort(key=near.get, reverse=True)
-    draw_map(rows, methods, path, lambda row, _: 1000 * row["first_second_m"], (1, 10, 100),
-             f"Cases of {len({row['scene'] for row in rows})} in which no body is 10 mm from its "
-             "place in the first second: " + ", ".join(
-                 f"{near[name]} with {TITLES[name]}".replace("\n", " ") for name in methods[:3]),
-             ("within 1 mm", "10 mm", "100 mm", "10 m"))
+    count = len({row["scene"] for row in rows})
+    draw_map(rows, {name: f"{near[name]} of {count}" for name in methods}, path,
+             lambda row: 1000 * row["first_second_m"], GAPS, (1, 10, 100),
+             "Every body within 10 mm of its true place for a second: in "
+             f"{near[methods[0]]} of {count} cases with {title_of(methods[0])}",
+             ("off by less than 1 mm", "1 to 10 mm", "10 to 100 mm", "up to 10 m"),
+             "farther, or lost")
 
 
 def main():

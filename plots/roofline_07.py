@@ -11,7 +11,7 @@ MEASURED = pathlib.Path(__file__).absolute().parents[1] / "bench" / "measured"
 OPERATIONS, BYTES = 171, 44 * 4  # of a solve: Eq. 7-6, and the numbers of a hinge in float
 USED = 10 / 16  # of the lanes, one chain per lane: Eq. 7-7
 LOOKS = (("whole-joint", "one hinge\nat a time"), ("interleaved", "interleaved"),
-         ("lanes coloured", "lanes\nand colours"), ("lanes", "one chain\nper lane"))
+         ("lanes coloured", "eight lanes,\nby colours"), ("lanes", "eight lanes,\na chain in each"))
 
 
 def rate(table, variant):
@@ -31,21 +31,24 @@ def picture(path):
     top = min(eight, cache)
     shares = [100 * rate(loop, variant) / top for variant, _ in LOOKS]
     figure, ax = style.figure(
-        f"One chain per lane: {max(shares):.0f} % of what the machine can do; one hinge at a "
-        f"time: {min(shares):.0f} %")
+        f"Eight lanes with a chain in each: {max(shares):.0f} % of what the machine can do; one "
+        f"hinge at a time: {min(shares):.0f} %")
     for place, (share, (variant, words)) in enumerate(zip(shares, LOOKS)):
         ax.barh(-place, share, 0.62, color=COLOURS[1 if "lane" in variant else 2])
-        ax.text(share + (-1 if share > 20 else 0.7), -place, f"{share:.0f} %", va="center",
+        ax.text(share - 1 if share > 20 else 100 * one / top + 1, -place, f"{share:.0f} %",
+                va="center",
                 fontsize=10, zorder=5, ha="right" if share > 20 else "left",
                 color="white" if share > 20 else INK,
                 bbox=None if share > 20 else {"facecolor": "white", "linewidth": 0, "pad": 1})
         if variant == "lanes":  # every lane computes, and some have no hinge
             ax.barh(-place, share / USED - share, 0.62, share, facecolor="white",
                     edgecolor=COLOURS[1], hatch="///", linewidth=1)
-            ax.text(share / USED + 1, -place, f"{share / USED:.0f} % with\nits empty lanes",
-                    va="center", fontsize=10, color=COLOURS[1])
+            ax.text(share / USED + 1, -place, f"lanes without a\nhinge: to {share / USED:.0f} %",
+                    va="center", fontsize=9, color=COLOURS[1])
     for share, words in ((100, "eight lanes"), (100 * one / top, "one lane")):
-        ax.axvline(share, color=INK, linewidth=1.4, linestyle="-" if share == 100 else "--")
+        low = 0.5 - len(LOOKS) if share == 100 else -1.5
+        ax.plot((share, share), (low, 0.8), color=INK, linewidth=1.4,
+                linestyle="-" if share == 100 else "--")
         ax.text(share + (-1 if share == 100 else 1), 0.62, f"limit of {words}", va="center",
                 ha="right" if share == 100 else "left", fontsize=9)
     ax.set_yticks(range(0, -len(LOOKS), -1), [words for _, words in LOOKS], fontsize=10)

@@ -9,6 +9,7 @@ target_compile_options(units_options INTERFACE -O0)
 # What the exercises call, and the headers of all: read once, as all is made with these options.
 add_library(engine_units STATIC
   ${PROJECT_SOURCE_DIR}/engine/real.cpp ${PROJECT_SOURCE_DIR}/engine/body.cpp
+  ${PROJECT_SOURCE_DIR}/engine/rotation/motion.cpp ${PROJECT_SOURCE_DIR}/engine/kept/bodies.cpp
   ${PROJECT_SOURCE_DIR}/engine/matrix.cpp ${PROJECT_SOURCE_DIR}/engine/block.cpp
   checker/chosen.cpp)
 target_link_libraries(engine_units PUBLIC units_options PRIVATE workbook_lenient)

@@ -21,15 +21,15 @@ double product(const std::vector<real>& a, const std::vector<real>& b) {
 void ConjugateGradients::prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) {
   require(relaxation == 1, "conjugate gradients: no relaxation");
   for (const Block& block : blocks.list)
-    require(block.target.follows == 0 && block.target.lower == -unbounded &&
-                block.target.upper == unbounded,
+    require(block.settings.follows == 0 && block.settings.lower == -unbounded &&
+                block.settings.upper == unbounded,
             "conjugate gradients: only rows without bounds");
   SequentialImpulses::prepare(bodies, blocks, first, h);
 }
 
 void ConjugateGradients::precondition(const std::vector<real>& r, std::vector<real>& z) const {
   for (const PreparedBlock& block : prepared_.blocks) {
-    const real* const inverse = &prepared_.inverse_K[std::size_t(block.first_K)];
+    const real* const inverse = &prepared_.scaled_inverse_K[std::size_t(block.first_K)];
     for (int i = 0; i < block.rows; ++i) {
       real sum = 0;
       for (int j = 0; j < block.rows; ++j)
@@ -46,8 +46,8 @@ void ConjugateGradients::solve(Bodies& bodies) {
   // Calls f(row, gamma times these impulses) for the rows of a soft block: gamma = softness K,
   // mass_scale = 1/(1 + softness), impulse_scale = 1 - mass_scale.
   const auto gamma = [&](const PreparedBlock& block, const real* numbers, const auto& f) {
-    if (block.step.impulse_scale == 0) return;
-    const real softness = block.step.impulse_scale / block.step.mass_scale;
+    if (block.coefficients.impulse_scale == 0) return;
+    const real softness = block.coefficients.impulse_scale / block.coefficients.mass_scale;
     for (int i = 0; i < block.rows; ++i) {
       real sum = 0;
       for (int j = 0; j < block.rows; ++j)

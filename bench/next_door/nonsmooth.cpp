@@ -14,8 +14,8 @@ void NonsmoothGradients::step_along(Bodies& bodies, real factor) {
     for (int i = 0; i < block.rows; ++i) {
       const PreparedRow& row = prepared_.rows[std::size_t(block.first + i)];
       real change = factor * p_[std::size_t(block.first + i)];
-      if (i == block.rows - 1 && block.target.follows == 0)
-        change = std::clamp(block.impulse[i] + change, block.step.lower, block.step.upper) -
+      if (i == block.rows - 1 && block.settings.follows == 0)
+        change = std::clamp(block.impulse[i] + change, block.coefficients.lower, block.coefficients.upper) -
                  block.impulse[i];
       block.impulse[i] += change;
       if (!body1.is_static()) {

@@ -69,7 +69,7 @@ void Xpbd::start_impulses(bool first) {
 
 void Xpbd::iterate(Bodies& bodies, real h) {
   for (const Block& block : blocks_.list) {
-    const RowSettings& target = block.target;
+    const RowSettings& target = block.settings;
     const real omega_h = 2 * std::numbers::pi_v<real> * target.frequency * h;
     const real compliance = omega_h > 0 ? 1 / (omega_h * omega_h) : 0;  // alpha/(h^2 K)
     const real damper = omega_h > 0 ? 2 * target.damping / omega_h : 0;  // alpha c/h

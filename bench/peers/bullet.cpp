@@ -199,6 +199,8 @@ std::vector<PeerSetting> bullet_settings(bool search) {
   add("conjugate 60 iterations", {.solver = Solver::conjugate, .iterations = 60}, false);
   add("Dantzig", {.solver = Solver::dantzig}, false, few);
   add("Dantzig erp 1", {.solver = Solver::dantzig, .erp = 1}, true, 100);
+  add("60 iterations erp 1", {.iterations = 60, .erp = 1}, false);
+  out.back().swept = true;
   add("Lemke", {.solver = Solver::lemke}, false, 50);
   out.back().contacts = false;
   add_trees("", {}, true, 0);

@@ -350,6 +350,10 @@ std::vector<PeerSetting> mujoco_settings(bool search) {
   add("Euler 8 substeps", {.substeps = 8}, true);
   add("implicit", {.integrator = mjINT_IMPLICIT, .gain = at_bound}, true);
   add("Runge-Kutta", {.integrator = mjINT_RK4}, true);
+  add("implicit stiff", {mjINT_IMPLICIT, 1, at_bound, 0.002}, false);
+  out.back().swept = true;
+  add("Runge-Kutta stiff", {mjINT_RK4, 1, 0.5, 0.002}, false);
+  out.back().swept = true;
   add("implicit 8 substeps stiff", {mjINT_IMPLICIT, 8, at_bound, 0.002}, false);
   add("Runge-Kutta 4 substeps stiff", {mjINT_RK4, 4, 0.5, 0.002}, false);
   return out;

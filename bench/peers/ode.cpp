@@ -240,6 +240,8 @@ std::vector<PeerSetting> ode_settings(bool search) {
   add("dense", {.iterations = 0}, false, few);
   out.back().slow = true;
   add("dense erp 1", {.iterations = 0, .erp = 1}, true, 100);
+  add("60 iterations erp 1", {.iterations = 60, .erp = 1}, false);
+  out.back().swept = true;
   add("dense 4 substeps erp 1", {.iterations = 0, .substeps = 4, .erp = 1}, false, 100);
   add("dense 16 substeps", {.iterations = 0, .substeps = 16}, true, 100);
   return out;

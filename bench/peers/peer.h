@@ -86,6 +86,7 @@ struct PeerSetting {
   bool exact = false;           ///< it does not iterate: its first step has the true acceleration
   int substeps = 1;             ///< each begins with its forces; 0: of order 4 by itself
   bool reduced = false;         ///< reduced coordinates: it starts with rates of its joints
+  bool swept = false;           ///< measured over the length of the step alone (sweeps.cpp)
   bool trees_only = false;      ///< no loops, no limits or motors, no contacts
   std::function<std::unique_ptr<Peer>(const PeerScene&)> make{};
 

@@ -38,7 +38,7 @@ std::vector<Contender> contenders(const PeerEntry& entry, bool quick, bool searc
                     .number = sizeof(real) == 8 ? "double" : "float", .name = word},
                    setting_named(word), true});
   for (const PeerSetting& peer : peer_settings(search))
-    if (peer.takes(scene) && (!quick || peer.quick) &&
+    if (peer.takes(scene) && !peer.swept && (!quick || peer.quick) &&
         (!peer.slow || entry.slow || scene.joints.size() < 200) && (!entry.basic || peer.basic))
       out.push_back({peer, peer.setting()});
   for (Contender& one : out) one.setting.differences = true;

@@ -5,7 +5,7 @@
 #include "chapters/02_ball/ball.h"
 #include "chapters/03_hinge/hinge.h"
 #include "chapters/04_slider/slider.h"
-#include "engine/part.h"
+#include "engine/parts/part.h"
 #include "engine/kept/reaction.h"
 
 /// \defgroup chapter5 Chapter 5: fixed joint

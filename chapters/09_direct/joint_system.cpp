@@ -115,7 +115,7 @@ void JointSystem::prepare(const Blocks& given, const real* expected, real h) {
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     const Block& block = given.list[blocks[k].block];
     set_rows(blocks[k], &given.J[block.first]);
-    const SoftCoefficients target = soft_coefficients(block.target, h, acting);
+    const SoftCoefficients target = soft_coefficients(block.settings, h, acting);
     softness_[k] = double(target.softness);
     springs_ = springs_ || softness_[k] > 0;
     loops_ = loops_ || blocks[k].loop >= 0;
@@ -127,8 +127,8 @@ void JointSystem::prepare(const Blocks& given, const real* expected, real h) {
     }
     if (!blocks[k].bounded) continue;
     const int last = row + block.rows - 1;
-    BoundedRow bound{int(k), double(acting * block.target.lower),
-                     double(acting * block.target.upper), -wanted_[last]};
+    BoundedRow bound{int(k), double(acting * block.settings.lower),
+                     double(acting * block.settings.upper), -wanted_[last]};
     const double before = impulse[last];  // of the last step
     bound.side = before <= bound.lower   ? Side::lower
                  : before >= bound.upper ? Side::upper

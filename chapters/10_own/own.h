@@ -7,7 +7,7 @@
 #include "chapters/02_ball/ball.h"
 #include "chapters/03_hinge/hinge.h"
 #include "chapters/04_slider/slider.h"
-#include "engine/part.h"
+#include "engine/parts/part.h"
 
 /// \defgroup chapter10 Chapter 10: joints of your own
 /// \brief A universal joint, a gear, a screw, a cone, and a part that no chapter has.

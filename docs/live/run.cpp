@@ -167,7 +167,7 @@ std::vector<RowLook> LiveRun::rows_now() {
     joint.append(world().bodies, blocks);
     double row = 0;
     for (const Block& block : blocks.list) {
-      const RowSettings& target = block.target;
+      const RowSettings& target = block.settings;
       if (!target.holds_position || target.follows != 0) continue;
       for (int i = 0; i < block.rows; ++i) {
         const Row& J = blocks.J[std::size_t(block.first + i)];
@@ -209,7 +209,7 @@ void residuals(const Bodies& bodies, const Blocks& blocks, const Block& block, r
                double* out) {
   const Row* J = &blocks.J[std::size_t(block.first)];
   const Body &a = bodies.at(block.body1), &b = bodies.at(block.body2);
-  const SoftCoefficients now = soft_coefficients(block.target, h, blocks.duration_or(h));
+  const SoftCoefficients now = soft_coefficients(block.settings, h, blocks.duration_or(h));
   Row response[6];
   real K[36];
   if (now.softness != 0) {
@@ -222,7 +222,7 @@ void residuals(const Bodies& bodies, const Blocks& blocks, const Block& block, r
     for (int j = 0; now.softness != 0 && j < block.rows; ++j)
       e += now.softness * K[i * block.rows + j] * block.impulse[j];
     if (i == block.rows - 1) {  // at a bound it may have any rate that leads away from it
-      const RowSettings& target = block.target;
+      const RowSettings& target = block.settings;
       const bool follows = target.follows != 0;
       const real duration = blocks.duration_or(h);
       const real upper = target.upper * (follows ? block.impulse[target.follows] : duration);
@@ -252,7 +252,7 @@ JointLook look_of(const World& world, const Scene& scene, std::size_t number, st
       const Row& J = world.blocks.J[std::size_t(block.first + i)];
       sum += left[i] * left[i];
       out.impulse += glm::dvec3(block.impulse[i] * J.v2);
-      if (!contact || block.target.follows != 0) continue;
+      if (!contact || block.settings.follows != 0) continue;
       // v2 is n and w2 is r2 x n: the corner is beside the centre by n x w2, on the top of body 1.
       const vec3 n = J.v2;
       const real height = contact->top.height + dot(n, a.x - b.x);

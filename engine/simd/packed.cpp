@@ -10,7 +10,7 @@ namespace joints {
 namespace {
 
 BlockKind kind_of(const Block& block, const Body& body1, const Body& body2) {
-  const RowSettings& target = block.target;
+  const RowSettings& target = block.settings;
   const bool follows = target.follows != 0, point = block.form == Form::point;
   const bool hard = !follows & (target.frequency == 0) & (target.lower == -unbounded) &
                     (target.upper == unbounded);  // without branches
@@ -23,7 +23,7 @@ Member member_of(const Block& block, const Body& body1, const Body& body2) {
   const BlockKind kind = kind_of(block, body1, body2);
   const int none1 = kind.lone ? block.body2 : -1, none2 = kind.lone ? block.body1 : -1;
   return {{body1.is_static() ? none1 : block.body1, body2.is_static() ? none2 : block.body2},
-          std::bit_cast<unsigned char>(kind), block.target.follows};
+          std::bit_cast<unsigned char>(kind), block.settings.follows};
 }
 
 // ---- the numbers of a block ---------------------------------------------------------------------
@@ -245,7 +245,7 @@ void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, int first, rea
         const std::size_t row = std::size_t(block.first);
         fill(record,
              {block, &list.J[row], &list.C[row], bodies.at(block.body1), bodies.at(block.body2),
-              soft_coefficients(block.target, h, duration, relaxation), h, driven},
+              soft_coefficients(block.settings, h, duration, relaxation), h, driven},
              lane);
       });
     };

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/kept/state.h"
+#include "engine/rotation/free_rotation.h"
 #include "engine/steps/soft.h"
 
 namespace joints {
@@ -24,7 +25,7 @@ Bodies velocities_at_pose_time(World& world, Solver& solver, bool warm_start) {
   blocks.clear();
   for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
   for (Block& block : blocks.list)
-    if (block.corrects) block.target = without_feedback(block.target);
+    if (block.corrects) block.settings = without_feedback(block.settings);
   const real before = std::exchange(blocks.impulse_duration, half);
   solver.prepare(world.bodies, blocks, 0, half);
   solver.warm_start(world.bodies, warm_start ? half / before : real(0));

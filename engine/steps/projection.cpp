@@ -21,7 +21,7 @@ void project(World& world, const Block& block, int rows) {
   for (int i = 0; i < rows; ++i)
     for (int j = 0; j < rows; ++j) lambda[i] -= K[i * rows + j] * blocks.C[block.first + j];
   // lambda < 0: all rows together would need the limit to pull. Solve again without its row.
-  const bool may_pull = rows < block.rows || !block.target.one_sided();
+  const bool may_pull = rows < block.rows || !block.settings.one_sided();
   if (!may_pull && lambda[rows - 1] < 0) return project(world, block, rows - 1);
 
   Row move;  // M^-1 J^T lambda
@@ -61,7 +61,7 @@ void project_positions(World& world) {
       const Block& block = blocks.list[k];
       if (!block.corrects) continue;
       const real C = blocks.C[block.first + block.rows - 1];
-      const bool leave_out_last = block.target.one_sided() && C > 0;
+      const bool leave_out_last = block.settings.one_sided() && C > 0;
       project(world, block, leave_out_last ? block.rows - 1 : block.rows);
     }
     blocks.truncate(known);

@@ -19,7 +19,7 @@ inline void split_into_rows(Blocks& blocks, int first) {
     for (int i = block.rows - 1; i >= 0; --i) {
       Block& row = list[std::size_t(--to)] = block;
       if (i < block.rows - 1)
-        row.target.rate = 0, row.target.lower = -unbounded, row.target.upper = unbounded;
+        row.settings.rate = 0, row.settings.lower = -unbounded, row.settings.upper = unbounded;
       row.rows = 1;
       row.form = Form::any;
       row.first += i;

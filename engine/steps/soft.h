@@ -19,7 +19,7 @@ inline RowSettings without_feedback(RowSettings target) {
 inline void soften(Blocks& blocks, int first, real frequency, real damping) {
   for (std::size_t k = std::size_t(first); k < blocks.list.size(); ++k)
     if (Block& block = blocks.list[k]; block.corrects)
-      block.target.frequency = frequency, block.target.damping = damping;
+      block.settings.frequency = frequency, block.settings.damping = damping;
 }
 
 /// Validates the numbers of such springs for a step of length h [s]; frequency 0 is none.

@@ -1,6 +1,7 @@
 // The iterations at the end of a step.
 #include "engine/steps/two_pass_impulses.h"
 
+#include "engine/rotation/free_rotation.h"
 #include "engine/steps/soft.h"
 
 namespace joints {
@@ -18,7 +19,7 @@ void TwoPassImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int fi
   if (split_iterations == 0) return;
   for (std::size_t k = std::size_t(first); k < prepared_.blocks.size(); ++k)
     if (PreparedBlock& block = prepared_.blocks[k]; block.corrects)
-      retarget(block, blocks, without_feedback(block.target), h);
+      retarget(block, blocks, without_feedback(block.settings), h);
 }
 
 void TwoPassImpulses::advance(Bodies& bodies, real h, const Append& append) {
@@ -32,11 +33,11 @@ void TwoPassImpulses::advance(Bodies& bodies, real h, const Append& append) {
 void TwoPassImpulses::retarget(PreparedBlock& block, const Blocks& blocks,
                                const RowSettings& target, real h) {
   const SoftCoefficients now = soft_coefficients(target, h, blocks.duration_or(h), relaxation);
-  const real scale = now.mass_scale / block.step.mass_scale;
+  const real scale = now.mass_scale / block.coefficients.mass_scale;
   for (int i = 0; i < block.rows * block.rows; ++i)
-    prepared_.inverse_K[std::size_t(block.first_K + i)] *= scale;
-  block.step.mass_scale = now.mass_scale;
-  block.step.impulse_scale = now.impulse_scale;
+    prepared_.scaled_inverse_K[std::size_t(block.first_K + i)] *= scale;
+  block.coefficients.mass_scale = now.mass_scale;
+  block.coefficients.impulse_scale = now.impulse_scale;
   for (int i = 0; i < block.rows; ++i) {
     const std::size_t row = std::size_t(block.first + i);
     prepared_.rows[row].bias = bias(block, i, blocks.C[row], now.rate, h);
@@ -46,7 +47,7 @@ void TwoPassImpulses::retarget(PreparedBlock& block, const Blocks& blocks,
 void TwoPassImpulses::relax(Bodies& bodies, real h) {
   const Blocks& blocks = blocks_of(bodies);
   for (PreparedBlock& block : prepared_.blocks)
-    if (block.corrects) retarget(block, blocks, without_feedback(block.target), h);
+    if (block.corrects) retarget(block, blocks, without_feedback(block.settings), h);
   // The rows are those of the old poses, and so are the velocities: there an impulse changes the
   // angular momenta of two bodies by opposite amounts. In the new poses w follows from them.
   std::swap_ranges(start_.begin(), start_.end(), bodies.data());
@@ -69,15 +70,15 @@ void TwoPassImpulses::advance_split(Bodies& bodies, real h) {
   split_blocks_.clear();
   for (PreparedBlock& block : prepared_.blocks) {
     if (!block.corrects) continue;
-    retarget(block, blocks, block.target, h);
+    retarget(block, blocks, block.settings, h);
     split_blocks_.push_back(block);
     split_blocks_.back().impulse = &split_impulses_[std::size_t(block.first)];
     // a limit must see both velocities together, an equality only the correcting one
     const std::size_t last = std::size_t(block.first + block.rows - 1);
     prepared_.rows[last].bias +=
-        block.target.one_sided()
+        block.settings.one_sided()
             ? row_velocity(blocks.J[last], bodies.at(block.body1), bodies.at(block.body2))
-            : block.target.rate;
+            : block.settings.rate;
   }
 
   const auto for_bodies = [&](const auto& f) {

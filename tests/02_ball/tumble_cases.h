@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chapters/02_ball/ball.h"
+#include "engine/rotation/free_rotation.h"
 #include "tests/checker/drawn.h"
 #include "tests/checker/vector_cases.h"
 

@@ -17,8 +17,8 @@ double first_gap(World& world) {
   for (const auto& joint : world.joints()) joint->append(world.bodies, errors);
   double out = 0;
   for (const Block& block : errors.list) {
-    if (!block.target.holds_position || block.target.follows != 0) continue;
-    for (int i = 0; i < block.rows - block.target.one_sided(); ++i)
+    if (!block.settings.holds_position || block.settings.follows != 0) continue;
+    for (int i = 0; i < block.rows - block.settings.one_sided(); ++i)
       out = std::max(out, std::abs(double(errors.C[std::size_t(block.first + i)])));
   }
   return out;

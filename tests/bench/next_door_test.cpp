@@ -189,9 +189,9 @@ TEST_CASE("NNCG ends with the impulses of Gauss-Seidel, bounds included, and soo
     few.solve(world.bodies);
     for (const Block& block : world.blocks.list) {
       const real lambda = block.impulse[block.rows - 1];
-      CHECK(lambda >= block.target.lower * sixtieth);
-      CHECK(lambda <= block.target.upper * sixtieth);
-      clamped += lambda == block.target.lower * sixtieth || lambda == block.target.upper * sixtieth;
+      CHECK(lambda >= block.settings.lower * sixtieth);
+      CHECK(lambda <= block.settings.upper * sixtieth);
+      clamped += lambda == block.settings.lower * sixtieth || lambda == block.settings.upper * sixtieth;
     }
   }
   INFO(sooner << " of " << draws << " sooner");

@@ -61,14 +61,14 @@ struct Enumerated {
       for (int i = 0; i < block.rows; ++i) {
         const double C = double(world.blocks.C[std::size_t(block.first + i)]);
         const bool last = i + 1 == block.rows;
-        wanted[block.first + i] = (block.target.holds_position ? -C / double(h) : 0) +
-                                  (last ? double(block.target.rate) : 0);
+        wanted[block.first + i] = (block.settings.holds_position ? -C / double(h) : 0) +
+                                  (last ? double(block.settings.rate) : 0);
       }
     right = wanted - system.J * before;
     for (const Block& block : world.blocks.list)
-      if (block.target.lower > -unbounded || block.target.upper < unbounded)
-        bounds.push_back({block.first + block.rows - 1, double(h * block.target.lower),
-                          double(h * block.target.upper)});
+      if (block.settings.lower > -unbounded || block.settings.upper < unbounded)
+        bounds.push_back({block.first + block.rows - 1, double(h * block.settings.lower),
+                          double(h * block.settings.upper)});
     bounded = int(bounds.size());
     broken = INFINITY;
     int combinations = 1;

@@ -41,7 +41,7 @@ TEST_CASE("soft joints move by the direct solver as by many iterations") {
       }
       begin_step(scene.world, solver, h, how);
       for (Block& block : scene.world.blocks.list)  // two of the joints alone
-        if (block.first < 6) block.target.frequency = 3, block.target.damping = real(0.5);
+        if (block.first < 6) block.settings.frequency = 3, block.settings.damping = real(0.5);
       solver.prepare(scene.world.bodies, scene.world.blocks, 0, h);
       solver.solve(scene.world.bodies);
       end_step(scene.world, solver, h, how);

@@ -1,5 +1,6 @@
 // Linkages that close in loops: Bricard's, whose rows depend on each other, and parallel four-bars.
 #include "bench/families.h"
+#include "engine/rotation/free_rotation.h"
 #include "tests/direct/rigs.h"
 #include "tests/oracle/test.h"
 

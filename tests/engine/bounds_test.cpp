@@ -57,7 +57,7 @@ Bounded bounded(const Blocks& blocks, const std::vector<Body>& forced, real step
               all_of(n, -inf), all_of(n, inf)};
   for (const Block& block : blocks.list) {
     const long first = block.first, last = first + block.rows - 1;
-    const RowSettings& target = block.target;
+    const RowSettings& target = block.settings;
     for (long i = first; i <= last; ++i) {
       const bool ahead = i == last && target.lower == 0 && target.upper == unbounded &&
                          system.C[i] > 0;  // gap that may be used up

@@ -113,9 +113,9 @@ TEST_CASE("relaxation 1 finds what a solver without relaxation finds") {
       form_K(J, response, 3, K);
       invert_symmetric(K, 3);
       real share = 1, kept = 0;
-      if (block.target.frequency > 0) {
-        const real omega = 2 * std::numbers::pi_v<real> * block.target.frequency;
-        const real a2 = h * omega * (2 * block.target.damping + h * omega);
+      if (block.settings.frequency > 0) {
+        const real omega = 2 * std::numbers::pi_v<real> * block.settings.frequency;
+        const real a2 = h * omega * (2 * block.settings.damping + h * omega);
         share = 1 / (1 + 1 / a2);
         kept = 1 / a2 / (1 + 1 / a2);
       }

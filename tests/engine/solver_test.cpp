@@ -46,7 +46,7 @@ struct GaussSeidel {
     A = J * W * J.transpose();
     Column bias(system.C.size());
     for (long i = 0; i < bias.size(); ++i)
-      bias[i] = double(blocks.list[std::size_t(system.block[std::size_t(i)])].target.beta) /
+      bias[i] = double(blocks.list[std::size_t(system.block[std::size_t(i)])].settings.beta) /
                 double(h) * system.C[i];
     c = -(J * V1 + bias);
     lambda = Column(c.size());

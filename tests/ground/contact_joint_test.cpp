@@ -71,8 +71,8 @@ TEST_CASE("each corner that touches has friction, friction and normal, and no mo
     REQUIRE(int(blocks.size()) == 3 * corners);
     for (std::size_t k = 0; k < blocks.size(); ++k) {
       CHECK(blocks[k].rows == 1);
-      CHECK(blocks[k].target.follows == int(k % 3 == 2 ? 0 : 2 - k % 3));
-      CHECK(blocks[k].target.holds_position == (k % 3 == 2));
+      CHECK(blocks[k].settings.follows == int(k % 3 == 2 ? 0 : 2 - k % 3));
+      CHECK(blocks[k].settings.holds_position == (k % 3 == 2));
     }
   }
   Grounded sunk = with_lowest(4, real(-2));  // all eight under the top
@@ -88,7 +88,7 @@ TEST_CASE("of a sunk box the four deepest corners have the rows") {
   box.contact->begin_step(box.world.bodies, h);
   box.contact->append(box.world.bodies, blocks);
   for (const Block& block : blocks.list)
-    if (block.target.follows == 0) CHECK(double(blocks.C[std::size_t(block.first)]) == Approx(-2));
+    if (block.settings.follows == 0) CHECK(double(blocks.C[std::size_t(block.first)]) == Approx(-2));
 }
 
 TEST_CASE("a corner has rows from the step in which it would come within h times 0.1 m/s") {
@@ -267,7 +267,7 @@ TEST_CASE("the late limits adds a corner that a neighbour drives into the ground
       end_step(lever.world, lever.solver, h, lever.stepping);
     }
     for (const Block& block : lever.world.blocks.list)  // directions of friction
-      if (block.target.follows != 0)
+      if (block.settings.follows != 0)
         CHECK(double(length(lever.world.blocks.J[std::size_t(block.first)].v2)) == Approx(1));
     return std::pair{lever.contact->touching(), double(lever.contact->gap(lever.world.bodies))};
   };

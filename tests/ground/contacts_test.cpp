@@ -68,7 +68,7 @@ TEST_CASE("impulses are kept by id or by place, and new points take over those t
     joint.append(world.bodies, blocks);
     double sum = 0;
     for (const Block& block : blocks.list)
-      if (block.target.follows == 0) sum += double(*block.impulse);
+      if (block.settings.follows == 0) sum += double(*block.impulse);
     return sum;
   };
   for (const int id : {7, -1}) {

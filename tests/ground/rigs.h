@@ -66,9 +66,9 @@ struct Touch {
 inline std::vector<Touch> touches(const Blocks& blocks) {
   std::vector<Touch> out;
   for (const Block& block : blocks.list)
-    if (block.target.follows == 2)
+    if (block.settings.follows == 2)
       out.push_back({double(block.impulse[0]), double(block.impulse[1]), double(block.impulse[2]),
-                     double(block.target.upper)});
+                     double(block.settings.upper)});
   return out;
 }
 

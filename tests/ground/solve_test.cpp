@@ -24,7 +24,7 @@ struct Problem {
     mu.assign(std::size_t(c.size()), 0);
     for (const Block& block : blocks.list) {
       const int last = block.first + block.rows - 1;
-      const RowSettings& target = block.target;
+      const RowSettings& target = block.settings;
       for (int i = block.first; i <= last; ++i) {
         const bool ahead = i == last && target.lower == 0 && target.follows == 0 &&
                            system.C[i] > 0;  // gap that may be used up

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "bench/runge_kutta.h"
+#include "engine/kept/kinematic.h"
 #include "engine/kept/reaction.h"
 #include "engine/kept/state.h"
 #include "engine/steps/two_pass_impulses.h"

@@ -177,8 +177,8 @@ TEST_CASE("a row that follows an impulse without a row is refused by every solve
   orphan.alive = orphan.twice = true;
   for (const std::string& said : {refused(SequentialImpulses()), refused(PackedImpulses())})
     CHECK(said == "follows: only a block of one row can follow another impulse");
-  const Block following{.target = {.follows = 1, .lower = 0}};  // that bound is not read
-  CHECK_FALSE((following.target.one_sided() || following.corrects));
+  const Block following{.settings = {.follows = 1, .lower = 0}};  // that bound is not read
+  CHECK_FALSE((following.settings.one_sided() || following.corrects));
 }
 
 TEST_CASE("a followed impulse is found whichever neighbour in the list has it") {

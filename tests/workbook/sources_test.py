@@ -12,8 +12,10 @@ LINES, MOST_COLUMNS = 330, 100  # LINES is an aim
 
 # Which folders a folder may include. The engine's core measures nothing, and knows no other way to
 # step, no lanes and nothing that saves it.
-BELOW = {"engine": [], "engine/kept": ["engine"], "engine/steps": ["engine", "engine/kept"],
-         "engine/simd": ["engine"], "checker": ["engine"],
+BELOW = {"engine": [], "engine/kept": ["engine"], "engine/parts": ["engine"],
+         "engine/rotation": ["engine"], "engine/simd": ["engine"],
+         "engine/steps": ["engine", "engine/kept", "engine/rotation"],
+         "checker": ["engine", "engine/parts"],
          "engine/instruments": ["engine", "engine/kept", "engine/steps"]}
 
 

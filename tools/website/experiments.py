@@ -12,7 +12,7 @@ LINK = re.compile(r'<a href="live\.html#([^"]+)"')
 NO_SETTING = {"scene", "t", "iteration", "block", "view"}
 # A setting: where it is used, as files, the first of some lines, and how many.
 CODE = {
-    "beta": (("engine/block.h", "real rate = target.beta / h, softness = 0;", 1),
+    "beta": (("engine/block.h", "real rate = row.beta / h, softness = 0;", 1),
              ("engine/block.h", "return std::min(std::max(rate * C, -most), most);", 1)),
     "iterations": (("engine/sequential_impulses.cpp",
                     "for (int i = 0; i < iterations; ++i) iterate(bodies);", 1),
@@ -22,7 +22,7 @@ CODE = {
     "relaxation": (("engine/block.h",
                     "const real mass_scale = relaxation / (1 + softness);", 1),),
     "tilt": (("engine/sequential_impulses.cpp",
-              "if (N == 1 && block.target.follows != 0) {"
+              "if (N == 1 && block.settings.follows != 0) {"
               "  // bounds are -+upper * impulse[follows]", 5),),
     "projections": (("engine/steps/step.cpp",
                      "for (int i = 0; i < how.projections; ++i) project_positions(world);", 1),

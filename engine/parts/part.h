@@ -14,7 +14,8 @@ namespace joints {
 template <class P>
 concept HasRows = requires { { P::rows } -> std::convertible_to<int>; } &&
                   bool(P::rows >= 1 && P::rows <= 6);
-/// Whether its last row only enforces C >= 0: `static constexpr bool one_sided`.
+/// Whether its last row only enforces C >= 0: `static constexpr bool one_sided`. Its joint then
+/// gives it the bound RowSettings::lower = 0, by which solvers know it.
 template <class P>
 concept HasSides = std::same_as<decltype(P::one_sided), const bool>;
 /// The form of its rows: `static constexpr Form form`. Solvers have shorter formulas for some.
@@ -77,7 +78,7 @@ struct Composite {
       Second::form == Form::angular ? First::form : Form::any;
   /// C of both parts, the first above the second.
   Vector<rows> error(const Body& body1, const Body& body2) const {
-    Vector<rows> C;
+    Vector<rows> C;  // by the function below, not by that of matrix.h
     write_error(*this, body1, body2, C.data());
     return C;
   }

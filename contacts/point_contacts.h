@@ -144,8 +144,8 @@ inline void apply_restitution(World& world, Solver& solver, real h) {
     for (const ContactPoint& point : contacts->points()) {
       if (!point.live || point.rebound == 0) continue;
       while (block->impulse != &point.impulse[2]) ++block;
-      block->target.rate = point.rebound;
-      block->target.upper = (1 + point.rebound_ratio) * *block->impulse / blocks.duration_or(h);
+      block->settings.rate = point.rebound;
+      block->settings.upper = (1 + point.rebound_ratio) * *block->impulse / blocks.duration_or(h);
     }
   }
   solver.prepare(world.bodies, blocks, 0, h);

@@ -125,7 +125,8 @@ def draw_map(rows, ends, path, what, colours, limits, title, words, lost):
              for kind, colour in enumerate(colours)} | {-1: FAILED}
     methods = list(ends)
     figure, axes = style.figure(title, len(columns), sharey=True,
-                                width_ratios=[len(values) for values in columns.values()])
+                                width_ratios=[sum(1 + (len(value) > 3) / 2 for value in values)
+                                              for values in columns.values()])
     figure.set_size_inches(style.WIDTH, 1.9 + 0.19 * len(methods))
     for ax, (family, values) in zip(axes, columns.items()):
         kinds = np.full((len(methods), len(values)), -1)

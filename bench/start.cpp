@@ -38,7 +38,8 @@ void satisfy_rows(World& world) {
   Blocks rows;
   for (const auto& joint : world.joints()) joint->append(world.bodies, rows);
   std::erase_if(rows.list, [](const Block& block) {
-    return !block.corrects || block.settings.lower != -unbounded || block.settings.upper != unbounded;
+    const RowSettings& last = block.settings;
+    return !block.corrects || last.lower != -unbounded || last.upper != unbounded;
   });
   if (rows.list.empty()) return;
   DirectSolver solver = DirectSolver::velocities_only();

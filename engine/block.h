@@ -43,7 +43,7 @@ struct RowSettings {
 /// Its name before version 0.10.
 using RowTarget [[deprecated("write RowSettings")]] = RowSettings;
 
-/// RowSettings converted for a step of a given length, of soft and of hard rows: bounds as impulses,
+/// RowSettings converted for a step of a given length, of soft and hard rows: bounds as impulses,
 /// and the coefficients of the change that an iterative solver adds to an accumulated impulse
 /// lambda, dlambda = -mass_scale K^-1 (J V + bias) - impulse_scale lambda.
 struct SoftCoefficients {

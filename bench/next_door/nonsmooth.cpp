@@ -15,8 +15,8 @@ void NonsmoothGradients::step_along(Bodies& bodies, real factor) {
       const PreparedRow& row = prepared_.rows[std::size_t(block.first + i)];
       real change = factor * p_[std::size_t(block.first + i)];
       if (i == block.rows - 1 && block.settings.follows == 0)
-        change = std::clamp(block.impulse[i] + change, block.coefficients.lower, block.coefficients.upper) -
-                 block.impulse[i];
+        change = std::clamp(block.impulse[i] + change, block.coefficients.lower,
+                            block.coefficients.upper) - block.impulse[i];
       block.impulse[i] += change;
       if (!body1.is_static()) {
         body1.v += change * row.response.v1;

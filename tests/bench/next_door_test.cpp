@@ -191,7 +191,8 @@ TEST_CASE("NNCG ends with the impulses of Gauss-Seidel, bounds included, and soo
       const real lambda = block.impulse[block.rows - 1];
       CHECK(lambda >= block.settings.lower * sixtieth);
       CHECK(lambda <= block.settings.upper * sixtieth);
-      clamped += lambda == block.settings.lower * sixtieth || lambda == block.settings.upper * sixtieth;
+      clamped += lambda == block.settings.lower * sixtieth ||
+                 lambda == block.settings.upper * sixtieth;
     }
   }
   INFO(sooner << " of " << draws << " sooner");

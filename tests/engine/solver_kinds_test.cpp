@@ -151,7 +151,8 @@ TEST_CASE("a soft step is the step of blocks that are soft themselves, motors le
   begin_step(by_hand, other, h);
   int soft = 0;
   for (Block& block : by_hand.blocks.list)
-    if (block.settings.holds_position) block.settings.frequency = 8, block.settings.damping = 2, ++soft;
+    if (RowSettings& row = block.settings; row.holds_position)
+      row.frequency = 8, row.damping = 2, ++soft;
   other.prepare(by_hand.bodies, by_hand.blocks, 0, h);
   other.solve(by_hand.bodies);
   end_step(by_hand, other, h);

@@ -88,7 +88,8 @@ TEST_CASE("of a sunk box the four deepest corners have the rows") {
   box.contact->begin_step(box.world.bodies, h);
   box.contact->append(box.world.bodies, blocks);
   for (const Block& block : blocks.list)
-    if (block.settings.follows == 0) CHECK(double(blocks.C[std::size_t(block.first)]) == Approx(-2));
+    if (block.settings.follows == 0)
+      CHECK(double(blocks.C[std::size_t(block.first)]) == Approx(-2));
 }
 
 TEST_CASE("a corner has rows from the step in which it would come within h times 0.1 m/s") {

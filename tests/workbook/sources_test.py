@@ -7,7 +7,7 @@ from proofs import beyond, files, house, main, read
 import layers
 
 
-LINES, MOST_COLUMNS = 330, 100  # LINES is an aim
+LINES, MOST_COLUMNS, MOST_OF_HINGE = 330, 100, 12  # LINES is an aim
 
 
 # Which folders a folder may include. The engine's core measures nothing, and knows no other way to
@@ -45,6 +45,19 @@ def layers_hold(root, build):
         for header in re.findall(r'^\s*#include "([^"]+)"', read(path), re.M):
             if header.endswith(".cpp") or not allowed(header.rpartition("/")[0]):
                 yield f"{name} must not include {header}"
+
+
+def a_hinge_stays_light(root, build):
+    """a user's hinge includes at most 12 other headers of the workbook, and the core no room"""
+    found, ahead = set(), ["joints/hinge_joint.h"]
+    while ahead:
+        found.add(name := ahead.pop())
+        ahead += set(re.findall(r'^#include "([^"]+)"', read(root / name), re.M)) - found
+    if len(found) - 1 > MOST_OF_HINGE:
+        yield f"joints/hinge_joint.h includes {len(found) - 1} headers: {', '.join(sorted(found))}"
+    for path in (*(root / "engine").glob("*.h"), *(root / "engine").glob("*.cpp")):
+        for room in re.findall(r'#include "engine/(\w+)/', read(path)):
+            yield f"{path.relative_to(root)} includes engine/{room}: the core knows no room"
 
 
 def sources_are_short(root, build):
@@ -86,7 +99,8 @@ def colours_stand_once(root, build):
                 yield f"{path.relative_to(root)}: {match[0]}"
 
 
-PROOFS = [layers_hold, files_have_a_name, colours_stand_once, drawing_is_true, sources_are_short]
+PROOFS = [layers_hold, a_hinge_stays_light, files_have_a_name, colours_stand_once, drawing_is_true,
+          sources_are_short]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

@@ -66,8 +66,9 @@ def levels(ax):
     arrow(ax, (28, top - 30), (28, 40), ARROW, 3)
     words(ax, (14, 255), "includes", ARROW, 12, rotation=90)
     for k, (text, colour) in enumerate((("the engine", BODY1), ("the exercises", BODY2),
-                                        ("what stands on them", FAINT))):
-        words(ax, (180 + 170 * k, top - 20), text, colour, 10.5, weight="bold")
+                                        ("tools and uses", FAINT))):
+        words(ax, (180 + 170 * k, top - 20), f"\N{BLACK SQUARE} {text}", colour, 10.5,
+              weight="bold")
 
 
 if __name__ == "__main__":

@@ -57,7 +57,7 @@ def fed_back(ax):
         words(ax, (308, 290 - 64 * k), said, FAINT, 10)
     words(ax, (wall + gap / 2, 270), "gap", FAINT, 11)
     words(ax, (wall + gap - 30, 313), "velocity", ARROW, 11)
-    below(ax, 170, "the gap shrinks by the factor $1 - \\beta$ in each")
+    below(ax, 170, "the gap shrinks by $1 - \\beta$ in each step")
 
 
 def projected(ax):
@@ -70,7 +70,8 @@ def projected(ax):
     line(ax, (wall + size, y - 8), (wall + gap, y - 8), INK, "solid", 1.6)
     arrow(ax, (wall + gap - 2, y + 7), (wall + size + 4, y + 7), INK, 2.2, dashed=True)
     dot(ax, (wall + gap, y - 8), BODY2, 6)
-    dot(ax, (wall, y - 8), BODY1, 6)
+    dot(ax, (wall, y - 8), BODY1, 8)
+    dot(ax, (wall, y - 8), BODY2, 4)
     words(ax, (wall + size + 56, y + 22), "moved", INK, 11)
     words(ax, (wall + gap + size + 8, y), "$C_0$", INK, 12, ha="left")
     below(ax, 510, "the gap is closed after one step")
@@ -108,7 +109,7 @@ def closed(ax):
     title(ax, 450, "closed: it keeps spinning")
     _, x = free_axis(ax, (370, 176), 22, (0, 0))
     turn(ax, x, 48, -40, 84, BODY2, 2.8)
-    words(ax, x + (16, 66), "$\\omega$ is left", BODY2, 13)
+    words(ax, x + (16, 66), "$\\omega$ remains", BODY2, 13)
     below(ax, 450, "a hinge does not resist this spin", 72)
 
 

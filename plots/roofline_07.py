@@ -31,19 +31,16 @@ def picture(path):
     top = min(eight, cache)
     shares = [100 * rate(loop, variant) / top for variant, _ in LOOKS]
     figure, ax = style.figure(
-        f"Eight lanes with a chain in each: {max(shares):.0f} % of what the machine can do; one "
+        f"Eight lanes with a chain in each: {max(shares):.0f} % of what the cache can feed; one "
         f"hinge at a time: {min(shares):.0f} %")
     for place, (share, (variant, words)) in enumerate(zip(shares, LOOKS)):
         ax.barh(-place, share, 0.62, color=COLOURS[1 if "lane" in variant else 2])
-        ax.text(share - 1 if share > 20 else 100 * one / top + 1, -place, f"{share:.0f} %",
-                va="center",
-                fontsize=10, zorder=5, ha="right" if share > 20 else "left",
-                color="white" if share > 20 else INK,
-                bbox=None if share > 20 else {"facecolor": "white", "linewidth": 0, "pad": 1})
+        ax.text(share - 0.8, -place, f"{share:.0f} %", va="center", ha="right", fontsize=10,
+                color="white")
         if variant == "lanes":  # every lane computes, and some have no hinge
             ax.barh(-place, share / USED - share, 0.62, share, facecolor="white",
                     edgecolor=COLOURS[1], hatch="///", linewidth=1)
-            ax.text(share / USED + 1, -place, f"lanes without a\nhinge: to {share / USED:.0f} %",
+            ax.text(share / USED + 1, -place, "idle lanes,\ncomputed for nothing",
                     va="center", fontsize=9, color=COLOURS[1])
     for share, words in ((100, "eight lanes"), (100 * one / top, "one lane")):
         low = 0.5 - len(LOOKS) if share == 100 else -1.5

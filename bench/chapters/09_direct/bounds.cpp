@@ -19,8 +19,7 @@ void motor_and_limit(const Choice& choice) {
   hinge.set_limits(-1, 1);
   hinge.set_motor(2, 20);
   scene.print_plan();
-  DirectSolver direct = DirectSolver::velocities_only();
-  direct.newton = 8;
+  DirectSolver direct = with_positions();
   int most = 0;
   play(
       scene, "", 1, "",
@@ -46,8 +45,7 @@ void many_limits(const Choice& choice, std::vector<Summary>& lines) {
     scene.world.gravity = vec3(0, real(-9.81), 0);
     for (const auto& joint : scene.world.joints())
       static_cast<HingeJoint&>(*joint).set_limits(real(-0.0873), real(0.0873));
-    DirectSolver direct = DirectSolver::velocities_only();
-    direct.newton = 8;
+    DirectSolver direct = with_positions();
     int passes = 0, most = 0, wrong = 0, steps = -1;
     const Summary line = play(
         scene, std::to_string(hinges) + " hinges", choice.seconds, "",

@@ -48,8 +48,7 @@ void bricards(const Choice& choice, std::vector<Summary>& lines) {
   const double seconds = 2 * choice.seconds;
   {
     Scene scene = bricard();
-    DirectSolver direct = DirectSolver::velocities_only();
-    direct.newton = 8;
+    DirectSolver direct = with_positions();
     lines.push_back(play(scene, "direct", seconds, choice.out + "/bricard.motion.json",
                          rows_of("softened", scene), leaps(scene, direct)));
     std::printf("Bricard: of %zu rows %d depends on the others\n", scene.world.blocks.C.size(),
@@ -57,8 +56,7 @@ void bricards(const Choice& choice, std::vector<Summary>& lines) {
   }
   {
     Scene scene = bricard();
-    DirectSolver plain = DirectSolver::velocities_only();
-    plain.newton = 8;
+    DirectSolver plain = with_positions();
     plain.softening = 0;
     plain.inverse = plain_inverse;
     lines.push_back(play(scene, "neither", seconds, "", rows_of("neither", scene),
@@ -67,9 +65,9 @@ void bricards(const Choice& choice, std::vector<Summary>& lines) {
   {
     Scene scene = bricard();
     DirectSolver unused = DirectSolver::velocities_only();
-    const Method few{choice.iterations};
-    lines.push_back(play(scene, few.name(), seconds, "", rows_of(few.name(), scene),
-                         steps_of(scene, few, unused)));
+    const std::string few = name_of(choice.iterations);
+    lines.push_back(play(scene, few, seconds, "", rows_of(few, scene),
+                         steps_of(scene, choice.iterations, unused)));
   }
 }
 
@@ -87,26 +85,26 @@ void bars(const Choice& choice, std::vector<Summary>& lines) {
   CsvFile table(choice.out + "/four_bars.csv",
                 {"method", "time_s", "height_m", "off_parallel_m", "gap_m", "energy"});
   four_bars(6).print_plan();
-  for (const Method& method : {Method{0}, Method{choice.iterations}}) {
+  for (const int iterations : {0, choice.iterations}) {
+    const std::string name = name_of(iterations);
     Scene scene = four_bars(6);
-    DirectSolver direct = DirectSolver::velocities_only();
-    direct.newton = 8;
+    DirectSolver direct = with_positions();
     const double start = energy_of(scene);
     double least = 0, most = 0, off = 0;
     lines.push_back(play(
-        scene, method.name(), 2 * choice.seconds,
-        method.iterations == 0 ? choice.out + "/four_bars.motion.json" : "",
+        scene, name, 2 * choice.seconds,
+        iterations == 0 ? choice.out + "/four_bars.motion.json" : "",
         [&](double time) {
           const double change = (energy_of(scene) - start) / scene.energy_scale;
           least = std::min(least, change), most = std::max(most, change);
           off = std::max(off, off_parallel(scene));
-          table.row({method.name()}, {time, 2 * double(scene.world.bodies.at(1).x.y),
-                                      off_parallel(scene), widest(scene), change});
+          table.row({name}, {time, 2 * double(scene.world.bodies.at(1).x.y), off_parallel(scene),
+                             widest(scene), change});
         },
-        steps_of(scene, method, direct)));
+        steps_of(scene, iterations, direct)));
     std::printf("four-bars, %s: energy between %+.2g %% and %+.2g %%, off parallel by %.2g m",
-                method.name().c_str(), 100 * least, 100 * most, off);
-    if (method.iterations == 0)
+                name.c_str(), 100 * least, 100 * most, off);
+    if (iterations == 0)
       std::printf("; of %zu rows %d depend on the others", scene.world.blocks.C.size(),
                   direct.dependent());
     std::printf("\n");

@@ -7,6 +7,18 @@
 
 namespace joints::chapter9 {
 
+/// The options of the command line.
+struct Choice {
+  int iterations = 30;  ///< of the runs that are compared
+  double seconds = 5;   ///< duration of the scenes
+  std::string out;      ///< folder of tables and recordings
+};
+
+/// A step of a scene with a solver, of second order.
+inline std::function<void()> leaps(Scene& scene, Solver& solver) {
+  return [&scene, &solver] { step(scene.world, solver, scene.h, {.leapfrog = true}); };
+}
+
 /// The present energy of the bodies [J].
 inline double energy_of(const Scene& scene) {
   return energy(all_of(scene.world.bodies), scene.world.gravity);

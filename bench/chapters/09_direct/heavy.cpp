@@ -25,8 +25,7 @@ End swing(real ratio, real inertia, int parts, double seconds,
   std::snprintf(setting, sizeof setting, "%g kg, kappa %g", double(ratio), double(inertia));
   Scene scene = heavy_chain(links, ratio);
   scene.h /= real(parts);
-  DirectSolver direct = DirectSolver::velocities_only();
-  direct.newton = 8;
+  DirectSolver direct = with_positions();
   direct.added_inertia = inertia;
   End end;
   const double start = energy_of(scene);
@@ -75,9 +74,7 @@ void heavy(const Choice& choice, std::vector<Summary>& lines) {
             path.row({double(factor), 1.0 / (60 * parts), time, change});
           });
   Scene left = heavy_chain(links, 100), right = heavy_chain(links, 100);
-  DirectSolver plain = DirectSolver::velocities_only(), more = plain;
-  plain.newton = more.newton = 8;
-  more.added_inertia = 8;
+  DirectSolver plain = with_positions(), more = with_positions(8);
   record("a heavy end", {{left, leaps(left, plain), "plain"},
                          {right, leaps(right, more), "more inertia"}},
          vec3(0, 0, 3), 2, choice.out + "/heavy.motion.json");

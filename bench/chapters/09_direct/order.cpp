@@ -103,8 +103,7 @@ std::vector<int> shuffled(std::vector<int> list) {
 
 // How far a hub is below its place at most in five seconds [m].
 double sag(Scene&& scene) {
-  DirectSolver direct = DirectSolver::velocities_only();
-  direct.newton = 8;
+  DirectSolver direct = with_positions();
   const auto leap = leaps(scene, direct);
   double most = 0;
   for (int n = 0; n < 300; ++n) {

@@ -62,8 +62,7 @@ void time_steps(const Choice& choice) {
       real(1) / real(finest), [&](World& world, real h) { reference.step(world, h); });
   for (const bool second : {false, true}) {
     const std::string name = second ? "leapfrog" : "plain";
-    DirectSolver direct = DirectSolver::velocities_only();
-    direct.newton = 8;
+    DirectSolver direct = with_positions();
     const auto advance = [&](World& world, real h) {
       second ? second_order_step(world, direct, h) : step(world, direct, h);
     };
@@ -111,8 +110,7 @@ void newton(const Choice& choice) {
   for (const int rate : {15, 60, 240}) show(three_slabs(), rate, rate / 2);
   show(taut_chain(10), 60, 0);
   Scene taut = taut_chain(10);
-  DirectSolver direct = DirectSolver::velocities_only();
-  direct.newton = 8;
+  DirectSolver direct = with_positions();
   const double gap = play(taut, "", choice.seconds, "", [](double) {}, leaps(taut, direct)).gap_max;
   std::printf("taut, for %g s: a gap of %.2g m at most\n", choice.seconds, gap);
 }

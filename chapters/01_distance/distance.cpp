@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/instruments/todo.h"
+
 namespace joints {
 
 // ---- a rod from centre to centre ---------------------------------------------------------

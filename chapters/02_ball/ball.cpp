@@ -2,6 +2,8 @@
 // text.
 #include "chapters/02_ball/ball.h"
 
+#include "engine/instruments/todo.h"
+
 namespace joints {
 
 // ---- the part: a point of body 1 held to a point of body 2 ---------------------------------

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "engine/instruments/todo.h"
+
 namespace joints {
 
 // ---- the two rows that hold the axis --------------------------------------------------------

@@ -2,6 +2,7 @@
 #include "chapters/04_slider/slider.h"
 
 #include "chapters/03_hinge/hinge.h"
+#include "engine/instruments/todo.h"
 
 namespace joints {
 

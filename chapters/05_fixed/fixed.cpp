@@ -1,6 +1,8 @@
 // Chapter 5: fixed joint. Replace each todo(...) by your own code; the text is in README.md.
 #include "chapters/05_fixed/fixed.h"
 
+#include "engine/instruments/todo.h"
+
 namespace joints {
 
 // ---- six rows in one block ---------------------------------------------------------------------

@@ -1,6 +1,8 @@
 // Chapter 6: Baumgarte. Replace each todo(...) by your own code; the text is in README.md.
 #include "chapters/06_baumgarte/baumgarte.h"
 
+#include "engine/instruments/todo.h"
+
 namespace joints {
 
 // ---- an error fed back as a velocity -----------------------------------------------------------

@@ -2,6 +2,7 @@
 // README.md.
 #include "chapters/07_performance/performance.h"
 
+#include "engine/instruments/todo.h"
 #ifndef JOINTS_REAL_HEADER  // lanes are of plain numbers
 #include "engine/simd/lanes.h"
 #endif

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "chapters/01_distance/rods.h"
+#include "engine/instruments/todo.h"
 
 namespace joints {
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/instruments/todo.h"
+
 namespace joints {
 
 // ---- a universal joint -----------------------------------------------------------------------

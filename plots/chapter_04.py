@@ -22,8 +22,8 @@ def draw_piston(solution, mine, out):
     table = whole(first)
     t = table["time_s"]
     figure, (left, right) = style.figure(
-        f"A piston: the motor never exceeds {abs(table['motor_n']).max():.0f} N; a limit exerts "
-        "what more is needed to stop", 2)
+        f"A piston: the motor stays within {abs(table['motor_n']).max():.0f} N, and the limits do "
+        "the stopping", 2)
     left.plot(t, table["displacement_m"], color=COLOURS[0 if mine else 1],
               label="_", linewidth=3 if mine else 1.8)
     if mine:
@@ -41,9 +41,9 @@ def draw_piston(solution, mine, out):
         right.step(t[1:], table[column][1:], color=colour, label=label, linewidth=1.3)
     for force in (-BOUND, BOUND):
         right.axhline(force, color=PALE, linewidth=0.8, dashes=(4, 2))
-    for time, force, said in ((0.98, BOUND, f"most of the motor, {BOUND} N"),
-                              (0.46, -BOUND - 26, f"{-BOUND} N")):
-        right.text(time, force + 6, said, fontsize=8.5, color=PALE, ha="right",
+    for force, said in ((BOUND + 6, f"most of the motor, {BOUND} N"),
+                        (-BOUND - 24, f"least, −{BOUND} N")):
+        right.text(0.485, force, said, fontsize=8.5, color=PALE, ha="right",
                    transform=right.get_yaxis_transform())
     for stop, words, side in ((np.argmin(table["limit_n"]), "stops it at the top", -1),
                               (np.argmax(table["limit_n"]), "stops it at the bottom", 1)):

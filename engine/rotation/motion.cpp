@@ -9,7 +9,7 @@ void integrate_forces(Body& body, const vec3& gravity, real h) {
   if (body.is_static()) return;
   body.v += h * (gravity + body.inverse_mass * body.force);
   if (body.torque != vec3(0)) body.w += h * angular_response(body, body.torque);
-  use_mean_rate(body, h);
+  if (!body.is_isotropic()) use_mean_rate(body, h);  // else it is w
 }
 
 [[gnu::always_inline]] inline static void clamp_speed(vec3& velocity) {
@@ -134,16 +134,19 @@ void integrate_pose(Body& body, real h) {
   // Without an impulse the rotation is free. With one, the rows hold for a rotation by h w, w being
   // the mean rate; for a thin body rotate_freely() is nearer to the truth than these rows.
   if (body.w_is_mean && (body.w == body.mean || is_thin(body))) use_own_rate(body);
-  clamp_speed(body);
+  clamp_speed(body.v);
+  clamp_speed(body.w);
   body.x += h * body.v;
   if (body.w == vec3(0)) return use_own_rate(body);  // impulses have stopped it
   if (!body.is_isotropic() && !body.w_is_mean) return rotate_freely(body, h);
   const quat next = normalize(rotation(h * body.w) * body.q);
-  const bool keeps_momentum = body.w_is_mean;  // else it is isotropic: L is I w at every pose
-  use_own_rate(body);
-  const vec3 L = keeps_momentum ? angular_momentum(body) : vec3(0);
-  body.q = next;
-  if (keeps_momentum) set_angular_momentum(body, L);
+  if (body.w_is_mean) {
+    use_own_rate(body);
+    const vec3 L = angular_momentum(body);
+    body.q = next;
+    return set_angular_momentum(body, L);
+  }
+  body.q = next;  // its moments are equal: no rotation changes I w
 }
 
 }  // namespace joints

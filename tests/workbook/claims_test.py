@@ -182,9 +182,9 @@ CLAIMS = [
     Claim(GUIDE, "Ours is the first to reach a micrometre on the six trees, with reduced "
           "coordinates; on the two closed linkages no engine does.",
           first_at_a_micrometre, ("ours", "MuJoCo")),
-    Claim(GUIDE, "It is also the first to reach 10 mm and 1 mm on the trees. On the linkages ODE is "
-          "as fast at 1 mm; at 10 mm it is as fast on the four-bar, and with MuJoCo faster on the "
-          "slider-crank.", first_at_a_millimetre, ("ODE", "Bullet")),
+    Claim(GUIDE, "It is also the first to reach 10 mm and 1 mm on the trees. On the linkages ODE "
+          "is as fast at 1 mm; at 10 mm it is as fast on the four-bar, and with MuJoCo faster on "
+          "the slider-crank.", first_at_a_millimetre, ("ODE", "Bullet")),
     Claim(GUIDE, "Runge-Kutta on rows, which belongs to the bench and reaches a micrometre on the "
           "linkages.", bench_reaches_a_micrometre, ("rk4", "shake")),
     Claim(GUIDE, "beads, heavy ends and random chains gained energy or were lost; the direct "

@@ -61,7 +61,7 @@ def draw_anchor(solution, mine, out):
     ax.plot(apart["lever_m"], apart["measured"], color=COLOURS[0], marker="o", linestyle="none",
             label="two blocks,\none iteration")
     ax.plot(apart["lever_m"], apart["left_after_30"], color=COLOURS[2], marker="^", zorder=4,
-            label="two blocks,\n30 more")
+            label="two blocks,\n31 iterations")
     ax.plot(whole["lever_m"], whole["measured"], color=COLOURS[1], marker="s",
             label="one block,\none iteration")
     ax.set(xlabel="distance of the anchor from the cube's centre  [m]",

@@ -82,23 +82,25 @@ def draw_scene(ax, table):
     for group, colour in GROUPS.items():
         mine = np.flatnonzero(groups == group)
         best = mine[front(x[mine], y[mine])]
-        ax.step(x[best], y[best], where="post", color=colour, linewidth=1.5, marker="o",
-                markersize=3, zorder=4 if group == "ODE" else 3)
+        ax.step(x[best], y[best], where="post", color=colour, marker="o", markersize=3,
+                linewidth=2 if group in GROUPS_OF_OURS else 1.2, zorder=4 if group == "ODE" else 3)
     ax.axhspan(REFERENCE / 2, 2 * REFERENCE, color=style.GRID, linewidth=0, zorder=0)
-    for level in LEVELS:
+    first = [fastest(table, level) for level in LEVELS]
+    said = [" = ".join(one) or "nobody" for one in first]
+    if len(set(said)) == 1:
+        said = ["", f"{said[0]}\nat all three", ""]
+    for level, one, words in zip(LEVELS, first, said):
         ax.axhline(level, color=PALE, linewidth=0.6, dashes=(1, 2), zorder=1)
-        first = fastest(table, level)
-        ax.annotate(" = ".join(name.removeprefix("ours, ") for name in first) or "nobody",
-                    (1.02, level), va="center", fontsize=7.5, annotation_clip=False,
+        ax.annotate(words, (1.02, level), va="center", fontsize=7.5, annotation_clip=False,
                     xycoords=("axes fraction", "data"),
-                    color=GROUPS[first[0]] if len(first) == 1 else INK,
-                    fontweight="bold" if len(first) == 1 else "normal")
+                    color=GROUPS[one[0]] if len(one) == 1 else INK,
+                    fontweight="bold" if len(one) == 1 else "normal")
     if not np.isfinite(y[groups == GROUPS_OF_OURS[0]]).any():
         ax.text(0.04, 0.1, "a closed loop: no\nreduced coordinates", fontsize=8,
                 transform=ax.transAxes)
     ax.set(xscale="log", yscale="log", ylim=(REFERENCE / 2, 3))
     ax.minorticks_off()
-    style.metres_log(ax.yaxis)
+    ax.yaxis.set_ticks([1, *LEVELS, REFERENCE], map(style.metres, (1, *LEVELS, REFERENCE)))
     ax.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
 
 
@@ -113,9 +115,9 @@ def headline(table):
     decided = [name for name in first if name not in trees
                and any(len(one) == 1 for one in first[name])]
     levels = " and ".join(", ".join(map(style.metres, LEVELS)).rsplit(", ", 1))
-    return (f"On {won} of {len(trees)} trees our reduced coordinates reach {levels} first; on "
-            f"{len(decided) or 'none'} of {len(first) - len(trees)} closed linkages one engine is "
-            "alone the first")
+    return (f"On {won} of {len(trees)} trees our reduced coordinates are first at {levels}; on "
+            f"{len(decided) or 'none'} of the {len(first) - len(trees)} closed linkages an engine "
+            "is first alone")
 
 
 def draw(table, path):
@@ -126,8 +128,8 @@ def draw(table, path):
     lines = [Line2D([], [], color=colour, marker="o", markersize=3) for colour in GROUPS.values()]
     key.legend(lines, GROUPS, loc="upper left", ncol=6, frameon=False, fontsize=8.5,
                columnspacing=1.2, borderaxespad=0)
-    key.text(0.012, 0.0, "each line: the least error that is reached within a time, by any setting "
-             "that was tried; right: who is first at 10 mm, 1 mm, 1 µm", fontsize=8)
+    key.text(0.012, 0.0, "each line: the least error within a time, by any setting that was tried; "
+             "right: who has it in the least time (=: a tie)", fontsize=8)
     panels = below.subplots(-(-len(scenes) // 2), 2, sharex=True, sharey=True)
     for ax, scene in zip(panels.flat, scenes):
         draw_scene(ax, style.rows(table, scene=scene))
@@ -135,6 +137,8 @@ def draw(table, path):
         ax.tick_params(labelsize=8, bottom=False, left=False)
     panels.flat[0].annotate("better", (0.02, 0.07), (0.06, 0.19), xycoords="axes fraction",
                             fontsize=8, arrowprops={"arrowstyle": "->", "color": INK})
+    panels.flat[-1].text(0.03, 1.15 * REFERENCE, "below the reference's accuracy", fontsize=7,
+                        va="center", transform=panels.flat[-1].get_yaxis_transform())
     below.supylabel("error of the tip at the end", fontsize=9)
     below.supxlabel("processor time per simulated second  [ms]", fontsize=9)
     under.text(0.012, 0.5, textwrap.fill(machine(table), 122), fontsize=7.5, va="center",
@@ -148,8 +152,8 @@ def machine(table):
     engines = ", ".join(dict.fromkeys(f"{engine} {version}" for engine, version in
                                       zip(table["engine"], table["version"]) if version))
     return (f"{', '.join(words[:-1])}; one core, double. Ours: {words[-1]}. {engines}: Debian's "
-            "packages, -O2, any x86-64. All start with half a step of the forces. =: times that "
-            "their spread does not tell apart. Grey: what the references cannot tell.")
+            "packages, -O2, any x86-64. All start with half a step of the forces. A tie: times "
+            "that their spread does not tell apart.")
 
 
 def main():

@@ -129,7 +129,7 @@ inline void apply_restitution(World& world, Solver& solver, real h) {
     real& C = blocks.C[std::size_t(last)];
     if (C <= 0)
       C = corrected(block.settings, C,
-                    soft_coefficients(block.settings, h, blocks.duration_or(h)).rate);
+                    soft_coefficients(block.settings, h, blocks.duration_or(h)).bias_rate);
     C = std::max(real(0), C + h * row_velocity(blocks.J[std::size_t(last)],
                                               world.bodies.at(block.body1),
                                               world.bodies.at(block.body2)));

@@ -17,8 +17,8 @@ namespace joints {
 class Solver;
 class World;
 
-/// Feedback, target rate and bounds of a block's rows. Beta, frequency and damping apply to all
-/// rows, the others to the last one. Set only those that you need, as in
+/// Feedback, target rate and bounds of a block's rows. `rate`, `follows`, `lower`, `upper` and
+/// `slop` are those of the last row, the others of all rows. Set only those that you need, as in
 /// `RowSettings{.beta = real(0.2), .lower = 0}`.
 struct RowSettings {
   real beta = 0;       ///< fraction of the error C that is removed in one step [1]
@@ -26,10 +26,10 @@ struct RowSettings {
   real damping = 1;    ///< damping ratio of that spring [1]
   real rate = 0;       ///< target rate of the last row [unit of C per s]: the speed of a motor
   bool holds_position = true;  ///< true: C is computed and fed back; false: only a rate is given
-  /// If not 0: friction. The bounds of this block of one row are -+upper times another impulse,
-  /// that of the normal row, which stands `follows` rows later in Blocks, and in the array
-  /// Block::impulse too, or earlier if negative. `upper` is then a factor [1], and `lower` is
-  /// ignored. The other row is one-sided, so its impulse is never negative.
+  /// If not 0: friction. The bounds of this block of one row are then -+upper * impulse[follows],
+  /// with a factor `upper` [1], and `lower` is ignored. Block::impulse points into an array of the
+  /// joint in which the impulse of the normal row is so many places further on, or before if it is
+  /// negative, and its row is as far away in Blocks. It is one-sided: its impulse is not negative.
   int follows = 0;
   real lower = -unbounded;  ///< least force of the last row [N or N m]; 0 for C >= 0
   real upper = unbounded;   ///< greatest force of the last row [N or N m]
@@ -43,11 +43,11 @@ struct RowSettings {
 /// Its name before version 0.10.
 using RowTarget [[deprecated("write RowSettings")]] = RowSettings;
 
-/// RowSettings converted for a step of a given length, of soft and hard rows: bounds as impulses,
+/// What RowSettings are for a step of length h, of hard rows as of soft ones: bounds as impulses,
 /// and the coefficients of the change that an iterative solver adds to an accumulated impulse
 /// lambda, dlambda = -mass_scale K^-1 (J V + bias) - impulse_scale lambda.
 struct SoftCoefficients {
-  real rate;           ///< factor of C in the bias [1/s]: beta/h for hard rows
+  real bias_rate;      ///< factor of C in the bias [1/s]: beta/h for hard rows
   real softness;       ///< J V + bias + softness K lambda = 0 is solved [1]; 0 for hard rows
   real mass_scale;     ///< relaxation / (1 + softness) [1]
   real impulse_scale;  ///< relaxation * softness / (1 + softness): 0 for hard rows [1]
@@ -60,16 +60,16 @@ struct SoftCoefficients {
 /// Source: Catto, "Soft Constraints", GDC 2011.
 inline SoftCoefficients soft_coefficients(const RowSettings& row, real h, real duration,
                                           real relaxation = 1) {
-  real rate = row.beta / h, softness = 0;
+  real bias_rate = row.beta / h, softness = 0;
   if (row.frequency != 0) {
     const real omega = 2 * std::numbers::pi_v<real> * row.frequency;
     const real a1 = 2 * row.damping + h * omega;
-    rate = omega / a1, softness = 1 / (duration * omega * a1);
+    bias_rate = omega / a1, softness = 1 / (duration * omega * a1);
   }
   const real mass_scale = relaxation / (1 + softness);
   const real impulse_scale = relaxation - mass_scale;  // relaxation softness / (1 + softness)
   const real unit = row.follows == 0 ? duration : real(1);  // makes a force an impulse
-  return {rate, softness, mass_scale, impulse_scale, unit * row.lower, unit * row.upper};
+  return {bias_rate, softness, mass_scale, impulse_scale, unit * row.lower, unit * row.upper};
 }
 
 /// The header of a block. Its rows and errors are in the flat arrays of Blocks, from `first` on.
@@ -87,25 +87,25 @@ struct Block {
 };
 
 /// The part of the error C <= 0 of a one-sided row that the step corrects, without the slop and at
-/// most at the speed `push`. \param rate SoftCoefficients::rate [1/s]
+/// most at the speed `push`. \param bias_rate of SoftCoefficients [1/s]
 /// \return unit of C, not positive
-inline real corrected(const RowSettings& row, real C, real rate) {
-  return std::max(std::min(C + row.slop, real(0)), -row.push / rate);
+inline real corrected(const RowSettings& row, real C, real bias_rate) {
+  return std::max(std::min(C + row.slop, real(0)), -row.push / bias_rate);
 }
-/// The bias of a row that is not one-sided, without its target rate. That of a hard row is at most
-/// `push`. \param rate SoftCoefficients::rate [1/s]
-inline real feedback(const Block& block, real C, real rate) {
+/// The bias of a row that is not one-sided, without its target rate. Where Block::corrects, it is
+/// at most `push`. \param bias_rate of SoftCoefficients [1/s]
+inline real feedback(const Block& block, real C, real bias_rate) {
   const real most = block.corrects ? block.settings.push : unbounded;
-  return std::min(std::max(rate * C, -most), most);
+  return std::min(std::max(bias_rate * C, -most), most);
 }
 /// The bias of row `i` of a block from its error C: solvers make J V + bias = 0. That of a
 /// one-sided row with C > 0 is C / h, as for a rope (Eq. 1-11): the gap may close, but not more.
-/// \param rate SoftCoefficients::rate [1/s] \param h step [s]
-inline real bias(const Block& block, int i, real C, real rate, real h) {
-  if (i < block.rows - 1) return feedback(block, C, rate);
+/// \param bias_rate of SoftCoefficients [1/s] \param h step [s]
+inline real bias(const Block& block, int i, real C, real bias_rate, real h) {
+  if (i < block.rows - 1) return feedback(block, C, bias_rate);
   const RowSettings& last = block.settings;
-  if (!last.one_sided()) return feedback(block, C, rate) - last.rate;
-  return (C > 0 ? C / h : rate * corrected(last, C, rate)) - last.rate;
+  if (!last.one_sided()) return feedback(block, C, bias_rate) - last.rate;
+  return (C > 0 ? C / h : bias_rate * corrected(last, C, bias_rate)) - last.rate;
 }
 
 /// The blocks of one step: a list of headers and two flat arrays.
@@ -115,7 +115,8 @@ class Blocks {
   /// The error of each row [m, rad, or 1 for a small sine]; 0 in a block that holds no position.
   std::vector<real> C;
   std::vector<Row> J;  ///< the rows in use; what follows them is of former steps
-  /// Called once the bodies have moved; null for nothing. A joint that appends blocks may set it.
+  /// Called once the bodies have moved; null for nothing. A joint that appends blocks may set it,
+  /// to a function of the whole world, which finds its own joints.
   void (*after_move)(World& world, Solver& solver, real h) = nullptr;
   bool errors_only = false;  ///< append only C and no rows of J: for the errors at other poses
   real last_impulse_duration = 0;  ///< that of the last step [s]; 0 before the first
@@ -128,7 +129,7 @@ class Blocks {
   /// impulse_duration, or h if it has not been set, as in a step written by hand. \param h step [s]
   real duration_or(real h) const { return impulse_duration > 0 ? impulse_duration : h; }
   int rows() const { return int(C.size()); }  ///< of all blocks
-  void clear() { truncate(0); }  ///< removes all blocks, keeps the memory
+  void clear() { truncate(0); }  ///< removes all blocks, keeps the capacity
   void truncate(int count);      ///< removes all blocks but the first `count`
   void shrink_to_fit();          ///< gives back the memory that the present blocks do not need
 

@@ -29,7 +29,7 @@ struct MatricesOfStep {
 };
 
 /// A rigid body. Position and velocities are in world space, inertia in the body's own axes.
-/// A body that never moves (static) has both inverses exactly zero.
+/// A body that no force and no joint moves (static) has both inverses exactly zero.
 struct Body {
   vec3 x{0};                      ///< centre of mass [m], world
   quat q{1, 0, 0, 0};             ///< orientation, body space to world, unit length
@@ -43,8 +43,10 @@ struct Body {
   /// joint changes them. A static body that is not kinematic stays where it is, even if v is not
   /// zero: a belt.
   bool kinematic = false;
-  // Only steps write these four; engine/rotation explains the first three.
-  bool w_is_mean = false;  ///< w is the mean rate of a step that has begun: see use_mean_rate()
+  // Only steps write these four. From integrate_forces() to integrate_pose(), w of a body with
+  // unequal moments is its mean angular velocity over the step, by which it will rotate: so rows
+  // that are solved meanwhile hold for the rotation that it will really do (engine/rotation).
+  bool w_is_mean = false;  ///< w is that mean rate
   vec3 precession{0};      ///< mean rate minus the rate at the step's beginning [rad/s, world]
   vec3 mean{0};            ///< the mean rate without the step's impulses [rad/s, world]
   MatricesOfStep matrices{};      ///< of q, while a step makes its rows
@@ -125,20 +127,20 @@ Body body_with(real mass, const vec3& inertia_local, const vec3& x,
 /// exp(phi) = (cos |phi|/2, sin(|phi|/2) phi/|phi|), accurate down to |phi| = 0.
 quat rotation(const vec3& phi);
 
-/// The first part of a step: changes the velocities by gravity, external force and torque. Until
-/// the last part, w of a body whose moments differ is then the mean rate of the coming rotation
-/// (use_mean_rate() in engine/rotation). \param gravity [m/s^2] \param h step [s]
+// The parts of a step. They are defined in engine/rotation/motion.cpp.
+
+/// The first part of a step: changes the velocities by gravity, external force and torque, and sets
+/// w to the mean rate. \param gravity [m/s^2] \param h step [s]
 void integrate_forces(Body& body, const vec3& gravity, real h);
 /// The largest component of a velocity at the end of a step [m/s or rad/s]. A diverging simulation
 /// continues until its impulses overflow, which step() reports.
 constexpr real max_speed = real(3e8);
 /// Scales finite velocities down to max_speed.
 void clamp_speed(Body& body);
-/// The last part of a step: clamps the velocities, moves the centre by h v and rotates the body. If
-/// its moments are equal, it rotates by h w. If they differ, its angular momentum is kept and w
-/// changes: by rotate_freely() in engine/rotation if no impulse has changed w in this step, or if
-/// the body is thin; else by h w, as w is a mean rate. A kinematic body is moved by its v and w.
-/// \param h step [s]
+/// The last part of a step: clamps the velocities, x += h v, and q is rotated by h w. A body with
+/// unequal moments keeps its angular momentum, so its w changes. If no impulse has changed its mean
+/// rate in this step, or if it is thin, rotate_freely() of engine/rotation rotates it instead. A
+/// kinematic body is moved by its v and w. \param h step [s]
 void integrate_pose(Body& body, real h);
 /// Identifies a body until it is removed: a slot of the array, and a count by which ids of removed
 /// bodies and of other arrays are detected.
@@ -216,8 +218,8 @@ class HeldMatrices {
 inline void integrate_forces(Bodies& bodies, const vec3& gravity, real h) {
   for (Body& body : bodies) integrate_forces(body, gravity, h);
 }
-/// Where impulses have changed w by more than a tenth, and the body rotates by 0.3 rad in a step or
-/// more: the mean rate for the new momentum. \param h step [s] \return true if a w has changed
+/// Sets w to a new mean rate where impulses have changed it by more than a tenth, and where a body
+/// rotates by 0.3 rad in a step or more. \param h step [s] \return true if a w has changed
 bool renew_mean_rates(Bodies& bodies, real h);
 /// integrate_pose() for all bodies.
 inline void integrate_poses(Bodies& bodies, real h) {

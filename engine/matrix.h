@@ -40,11 +40,11 @@ struct Jacobian {
   const Row& operator[](int i) const { return row[i]; }  ///< row i
 };
 
-/// Three rows from the four 3x3 blocks of the formula J = ( v1  w1  v2  w2 ).
+/// Three rows from the four 3x3 matrices of the formula J = ( v1  w1  v2  w2 ).
 inline Jacobian<3> jacobian_from_blocks(const mat3& v1, const mat3& w1, const mat3& v2,
                                         const mat3& w2) {
   const mat3 a = transpose(v1), b = transpose(w1), c = transpose(v2), d = transpose(w2);
-  const auto row = [&](int i) { return Row{a[i], b[i], c[i], d[i]}; };  // column i of a^T
+  const auto row = [&](int i) { return Row{a[i], b[i], c[i], d[i]}; };  // a[i]: row i of v1
   return {{row(0), row(1), row(2)}};
 }
 
@@ -71,7 +71,8 @@ enum class Form : signed char {
   point     ///< three rows v1 = -E, w1 = skew(r1), v2 = E, w2 = -skew(r2), then angular rows
 };
 
-/// Writes C of a part to `C`. A Composite has functions of its own in place of these two.
+/// Writes C of a part to `C`. Of several parts as one (Composite, engine/parts) there are two other
+/// functions of these names.
 template <class P>
 void write_error(const P& part, const Body& body1, const Body& body2, real* C) {
   const Vector<P::rows> error = to_vector(part.error(body1, body2));

@@ -78,7 +78,7 @@ inline real sum(const vec3& a) { return a.x + a.y + a.z; }
 /// The same for a quaternion.
 inline real sum(const quat& q) { return q.w + q.x + q.y + q.z; }
 /// True if the length of a vector or quaternion is 1 within 1e-6. A rotation by such a quaternion
-/// displaces a point 10 m away by at most 20 micrometres.
+/// misplaces a point 10 m away by at most 20 micrometres.
 template <class Vector>
 bool is_unit(const Vector& a) { return std::abs(dot(a, a) - 1) < real(2e-6); }
 

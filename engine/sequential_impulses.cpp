@@ -37,14 +37,15 @@ void apply_impulse(Twelve& V, real lambda, const Row& response) {
 
 // ---- once per step ------------------------------------------------------------------------------
 
-void SequentialImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) {
-  prepared_for(bodies, blocks, first);
-  if (first == 0) {
+void SequentialImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int first_block,
+                                 real h) {
+  prepared_for(bodies, blocks, first_block);
+  if (first_block == 0) {
     prepared_.blocks.clear();
     prepared_.rows.clear();
     prepared_.scaled_inverse_K.clear();
   }
-  for (int k = first; k < int(blocks.list.size()); ++k) {
+  for (int k = first_block; k < int(blocks.list.size()); ++k) {
     const Block& block = blocks.list[std::size_t(k)];
     if (block.settings.follows != 0) followed_row(blocks, k);  // rejects one that follows no row
     add(bodies, blocks, block, h);
@@ -53,24 +54,24 @@ void SequentialImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int
 
 void SequentialImpulses::add(const Bodies& bodies, const Blocks& blocks, const Block& block,
                              real h) {
-  auto& [prepared, rows, matrices] = prepared_;
-  const PreparedBlock out{block, int(matrices.size()),
+  auto& [list, rows, inverses] = prepared_;
+  const PreparedBlock out{block, int(inverses.size()),
                           soft_coefficients(block.settings, h, blocks.duration_or(h), relaxation)};
-  prepared.push_back(out);
+  list.push_back(out);
 
   const int n = block.rows;
   const Row* const J = &blocks.J[std::size_t(block.first)];
   Row response[6];
   form_responses(J, n, bodies.at(block.body1), bodies.at(block.body2), response);
-  matrices.resize(matrices.size() + std::size_t(n * n));
-  real* const inverse = matrices.data() + out.first_K;
+  inverses.resize(inverses.size() + std::size_t(n * n));
+  real* const inverse = inverses.data() + out.first_K;
   form_K(J, response, n, inverse);
   invert_symmetric(inverse, n);
 
   const real over_last = inverse_above(inverse[n * n - 1], 0);
   for (int i = 0; i < n; ++i)
     rows.push_back({response[i], bias(block, i, blocks.C[std::size_t(block.first + i)],
-                                      out.coefficients.rate, h),
+                                      out.coefficients.bias_rate, h),
                     inverse[i * n + n - 1] * over_last});
   for (int i = 0; i < n * n; ++i) inverse[i] *= out.coefficients.mass_scale;
 }
@@ -120,7 +121,7 @@ void SequentialImpulses::solve_block(Body* bodies, const Row* J, const PreparedB
   Body &body1 = bodies[block.body1], &body2 = bodies[block.body2];
   J += block.first;
   const PreparedRow* row = &prepared_.rows[std::size_t(block.first)];
-  const real* inverse_K = &prepared_.scaled_inverse_K[std::size_t(block.first_K)];
+  const real* scaled_inverse_K = &prepared_.scaled_inverse_K[std::size_t(block.first_K)];
   const SoftCoefficients& by = block.coefficients;
   Twelve V = velocities(body1, body2);
 
@@ -128,9 +129,9 @@ void SequentialImpulses::solve_block(Body* bodies, const Row* J, const PreparedB
   for (int i = 0; i < N; ++i) e[i] = dot(twelve(J[i]), V) + row[i].bias;
 
   real dlambda[N];  // -mass_scale K^-1 e - impulse_scale lambda
-  for (int i = 0; i < N; ++i) dlambda[i] = -(inverse_K[i] * e[0]);
+  for (int i = 0; i < N; ++i) dlambda[i] = -(scaled_inverse_K[i] * e[0]);
   for (int j = 1; j < N; ++j)
-    for (int i = 0; i < N; ++i) dlambda[i] -= inverse_K[j * N + i] * e[j];
+    for (int i = 0; i < N; ++i) dlambda[i] -= scaled_inverse_K[j * N + i] * e[j];
   if (by.impulse_scale != 0)
     for (int i = 0; i < N; ++i) dlambda[i] -= by.impulse_scale * block.impulse[i];
 

@@ -39,7 +39,7 @@ struct Prepared {
 class SequentialImpulses : public IterativeSolver {
  public:
   /// Prepares blocks. \throws std::invalid_argument if a bound follows an impulse without a row
-  void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) override;
+  void prepare(const Bodies& bodies, const Blocks& blocks, int first_block, real h) override;
   /// Sets the impulse of a row to zero if its Jacobian is zero or if it depends on other rows of
   /// its block.
   void warm_start(Bodies& bodies, real ratio) override;

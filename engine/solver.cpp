@@ -5,13 +5,13 @@
 
 namespace joints {
 
-void Solver::prepared_for(const Bodies& bodies, const Blocks& blocks, int first) {
-  const std::size_t k = std::size_t(first), rows = blocks.C.size();
+void Solver::prepared_for(const Bodies& bodies, const Blocks& blocks, int first_block) {
+  const std::size_t k = std::size_t(first_block), rows = blocks.C.size();
   const std::size_t known = k < blocks.list.size() ? std::size_t(blocks.list[k].first) : rows;
   bodies_ = &bodies;
   slots_ = bodies.slots();
   blocks_ = &blocks;
-  if (first == 0 || rows_ == known) rows_ = rows;  // else blocks were left out: blocks_of() throws
+  if (first_block == 0 || rows_ == known) rows_ = rows;  // else blocks_of() will throw
 }
 
 const Blocks& Solver::blocks_of(const Bodies& bodies) const {

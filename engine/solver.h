@@ -12,16 +12,16 @@ namespace joints {
 
 /// Computes impulses such that each row reaches its target rate or one of its bounds, and applies
 /// them to the bodies. The step calls prepare, warm_start and solve in this order. Then it calls
-/// solve again for rotations that have changed, and prepare and solve as long as missed limits add
-/// blocks. A new solver is one class in one file.
+/// solve again if impulses have changed the mean rate of a fast rotation, and prepare and solve as
+/// long as missed limits add blocks. A new solver is one class in one file.
 class Solver {
  public:
   virtual ~Solver() = default;
   /// Validates the settings, before anything has moved.
   /// \throws std::invalid_argument for an invalid setting
   virtual void check() const = 0;
-  /// Computes all data that solve() needs for the blocks from number `first` on. \param h step [s]
-  virtual void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) = 0;
+  /// Computes all data that solve() needs for the blocks from this one on. \param h step [s]
+  virtual void prepare(const Bodies& bodies, const Blocks& blocks, int first_block, real h) = 0;
   /// Multiplies the accumulated impulses of the last step by `ratio` and applies them.
   /// \param ratio duration of this step's impulses over that of the last step's [1]; 0 for a cold
   /// start, which sets the impulses to zero
@@ -33,7 +33,7 @@ class Solver {
   /// Appends the blocks of the step again, at the bodies' present poses.
   /// \param of for each slot: only the blocks of joints of these bodies; null: of all joints
   using Append = std::function<void(Blocks&, const std::vector<bool>* of)>;
-  /// Moves the bodies by their velocities. Here a solver corrects errors by other means than
+  /// Moves the bodies by their velocities. Here a solver may correct errors by other means than
   /// impulses. \param h step [s]
   virtual void advance(Bodies& bodies, real h, [[maybe_unused]] const Append& append) {
     integrate_poses(bodies, h);
@@ -41,7 +41,7 @@ class Solver {
 
  protected:
   /// To be called by prepare(), with the same arguments.
-  void prepared_for(const Bodies& bodies, const Blocks& blocks, int first);
+  void prepared_for(const Bodies& bodies, const Blocks& blocks, int first_block);
   /// The blocks of the last prepare(). \throws std::logic_error if that call had other bodies, or
   /// if there are now more or fewer rows or slots than were prepared
   const Blocks& blocks_of(const Bodies& bodies) const;

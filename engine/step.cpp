@@ -21,11 +21,11 @@ void begin_step(World& world, Solver& solver, real h, bool warm_start, const Ste
   blocks.impulse_duration = duration;
   world.last_h = h;
 
-  const bool had_rows = !blocks.J.empty();  // clear() leaves J as long as it was
+  const bool first_rows = blocks.J.empty();  // clear() leaves J as long as it was
   blocks.clear();
   for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h, duration);
   for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
-  if (!had_rows) blocks.shrink_to_fit();  // mostly the rows of the first step remain
+  if (first_rows) blocks.shrink_to_fit();  // once: later steps mostly have about as many rows
   method.change_blocks(blocks, 0);
   solver.prepare(world.bodies, blocks, 0, h);
   const real ratio = before == 0 ? real(1) : duration / before;

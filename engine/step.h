@@ -20,9 +20,9 @@ class StepMethod {
     joints::integrate_forces(world.bodies, world.gravity, h);
     return h;
   }
-  /// May change the blocks from number `first` on, which the joints have just appended: makes their
-  /// rows soft, for example.
-  virtual void change_blocks(Blocks&, [[maybe_unused]] int first) const {}
+  /// May change the blocks from this one on, which the joints have just appended: makes their rows
+  /// soft, for example.
+  virtual void change_blocks(Blocks&, [[maybe_unused]] int first_block) const {}
   /// The solver moves the bodies by their velocities. \param h step [s]
   virtual void move(World& world, Solver& solver, real h) const;
 };

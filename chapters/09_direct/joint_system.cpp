@@ -122,7 +122,7 @@ void JointSystem::prepare(const Blocks& given, const real* expected, real h) {
     const int row = row_of(blocks[k]);
     for (int i = 0; i < block.rows; ++i) {
       wanted_[row + i] = (expected ? double(expected[blocks[k].row + i]) : 0) -
-                         double(bias(block, i, given.C[block.first + i], target.rate, h));
+                         double(bias(block, i, given.C[block.first + i], target.bias_rate, h));
       impulse[row + i] = double(block.impulse[i]);
     }
     if (!blocks[k].bounded) continue;

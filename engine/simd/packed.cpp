@@ -109,8 +109,8 @@ JOINTS_INLINED inline void fill(Record<kind, Number>& record, const Source& from
     scatter(asked + given, record.rows.bias[i], lane);
     scatter(block.impulse[i], record.lambda[i], lane);
   };
-  for (int i = 0; i < N - 1; ++i) fill_row(i, feedback(block, from.C[i], from.target.rate));
-  fill_row(N - 1, bias(block, N - 1, from.C[N - 1], from.target.rate, from.h));
+  for (int i = 0; i < N - 1; ++i) fill_row(i, feedback(block, from.C[i], from.target.bias_rate));
+  fill_row(N - 1, bias(block, N - 1, from.C[N - 1], from.target.bias_rate, from.h));
   if constexpr (!kind.hard) {
     scatter(from.target.impulse_scale, record.bounds.impulse_scale, lane);
     scatter(from.target.lower, record.bounds.lower, lane);

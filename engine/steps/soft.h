@@ -32,7 +32,7 @@ inline void check_softness(real frequency, real damping, real h) {
           "must be finite and not negative [1]");
   const SoftCoefficients spring =
       soft_coefficients({.beta = 1, .frequency = frequency, .damping = damping}, h, h);
-  require(finite(spring.rate) && finite(spring.softness), "frequency", frequency,
+  require(finite(spring.bias_rate) && finite(spring.softness), "frequency", frequency,
           "a spring of this frequency and damping must be possible in a step of this length [Hz]");
 }
 

@@ -40,7 +40,7 @@ void TwoPassImpulses::retarget(PreparedBlock& block, const Blocks& blocks,
   block.coefficients.impulse_scale = now.impulse_scale;
   for (int i = 0; i < block.rows; ++i) {
     const std::size_t row = std::size_t(block.first + i);
-    prepared_.rows[row].bias = bias(block, i, blocks.C[row], now.rate, h);
+    prepared_.rows[row].bias = bias(block, i, blocks.C[row], now.bias_rate, h);
   }
 }
 

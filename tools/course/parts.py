@@ -106,7 +106,8 @@ def sources():
                for path in sorted((house.ROOT / place).glob("*.cpp")) if path.name != "where.cpp"]
     found = {"checker": (checker, ""), "module": ([tests / "course" / "module.cpp"], ""),
              "units_engine": ([engine / f"{name}.cpp"
-                               for name in ("real", "body", "matrix", "block")], UNITS)}
+                               for name in ("real", "body", "rotation/motion", "kept/bodies",
+                                            "matrix", "block")], UNITS)}
     for chapter in house.chapters():
         name = chapter.folder
         found |= {f"tests_{name}": ([tests / name / "test.cpp"], ""),

@@ -12,8 +12,8 @@ LINK = re.compile(r'<a href="live\.html#([^"]+)"')
 NO_SETTING = {"scene", "t", "iteration", "block", "view"}
 # A setting: where it is used, as files, the first of some lines, and how many.
 CODE = {
-    "beta": (("engine/block.h", "real rate = row.beta / h, softness = 0;", 1),
-             ("engine/block.h", "return std::min(std::max(rate * C, -most), most);", 1)),
+    "beta": (("engine/block.h", "real bias_rate = row.beta / h, softness = 0;", 1),
+             ("engine/block.h", "return std::min(std::max(bias_rate * C, -most), most);", 1)),
     "iterations": (("engine/sequential_impulses.cpp",
                     "for (int i = 0; i < iterations; ++i) iterate(bodies);", 1),
                    ("engine/sequential_impulses.cpp",

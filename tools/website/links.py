@@ -32,7 +32,8 @@ class Targets:
             re.findall(r'id="(docs_errata-e(\d+)-[^"]*)"', texts[ERRATA])}
         self.names, self.files = {}, {}
         self.read_tags(xml.fromstring(tags))
-        for path in [*ROOT.glob("engine/*.h"), *ROOT.glob("checker/*.h"),
+        for path in [*ROOT.glob("engine/*.h"), *ROOT.glob("engine/parts/*.h"),
+                     *ROOT.glob("engine/rotation/*.h"), *ROOT.glob("checker/*.h"),
                      *ROOT.glob("direct/*.h"), *ROOT.glob("reduced/*.h"),
                      *ROOT.glob("comparison/*.h"),
                      *ROOT.glob("chapters/*/*.h")]:

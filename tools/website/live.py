@@ -27,7 +27,8 @@ def sources():
     root, chapters = house.ROOT, house.chapters()
     mine = {chapter.mine for chapter in chapters}
     engine = ("real", "body", "matrix", "block", "world", "solver",
-              "sequential_impulses", "step", "kept/state", "kept/input",
+              "sequential_impulses", "step", "rotation/motion",
+              "kept/state", "kept/input", "kept/bodies",
               "steps/step", "steps/leapfrog", "steps/projection", "steps/two_pass_impulses",
               "simd/lane_order", "simd/places",
               "instruments/measure", "instruments/rate", "instruments/scene")

@@ -26,26 +26,29 @@ struct RowSettings {
   real damping = 1;    ///< damping ratio of that spring [1]
   real rate = 0;       ///< target rate of the last row [unit of C per s]: the speed of a motor
   bool holds_position = true;  ///< true: C is computed and fed back; false: only a rate is given
-  /// If not 0: friction. The bounds of this block of one row are then -+upper * impulse[follows],
-  /// with a factor `upper` [1], and `lower` is ignored. Block::impulse points into an array of the
-  /// joint in which the impulse of the normal row is so many places further on, or before if it is
-  /// negative, and its row is as far away in Blocks. It is one-sided: its impulse is not negative.
+  /// If not 0: friction. The bounds are -+upper * impulse[follows], by the impulse of another row
+  /// of the same joint, `follows` places further on in the joint's array and equally far in Blocks
+  /// (before, if negative). That row must be one-sided. This block has one row, `upper` is a factor
+  /// [1], and `lower` is ignored.
   int follows = 0;
   real lower = -unbounded;  ///< least force of the last row [N or N m]; 0 for C >= 0
   real upper = unbounded;   ///< greatest force of the last row [N or N m]
   // They apply to the impulses of a step, not to position projection:
   real slop = 0;          ///< violation of a one-sided last row that is not corrected [unit of C]
-  real push = unbounded;  ///< greatest speed at which an error is corrected [unit of C per s]
+  /// Greatest speed at which an error is corrected [unit of C per s], but for springs, of which it
+  /// bounds one-sided rows alone.
+  real push = unbounded;
 
-  /// True if the last row enforces C >= 0 and only pushes. It is speculative while C > 0.
+  /// True if the last row enforces C >= 0: its impulse is not negative. While C > 0 the gap may
+  /// close but not more: see bias().
   bool one_sided() const { return holds_position && follows == 0 && lower == 0; }
 };
 /// Its name before version 0.10.
 using RowTarget [[deprecated("write RowSettings")]] = RowSettings;
 
-/// What RowSettings are for a step of length h, of hard rows as of soft ones: bounds as impulses,
-/// and the coefficients of the change that an iterative solver adds to an accumulated impulse
-/// lambda, dlambda = -mass_scale K^-1 (J V + bias) - impulse_scale lambda.
+/// RowSettings turned into numbers for a step of length h, for hard rows as well: bounds as
+/// impulses, and the coefficients of the change that an iterative solver adds to an accumulated
+/// impulse lambda, dlambda = -mass_scale K^-1 (J V + bias) - impulse_scale lambda.
 struct SoftCoefficients {
   real bias_rate;      ///< factor of C in the bias [1/s]: beta/h for hard rows
   real softness;       ///< J V + bias + softness K lambda = 0 is solved [1]; 0 for hard rows
@@ -92,8 +95,8 @@ struct Block {
 inline real corrected(const RowSettings& row, real C, real bias_rate) {
   return std::max(std::min(C + row.slop, real(0)), -row.push / bias_rate);
 }
-/// The bias of a row that is not one-sided, without its target rate. Where Block::corrects, it is
-/// at most `push`. \param bias_rate of SoftCoefficients [1/s]
+/// The bias of a row that is not one-sided, without its target rate; at most `push` where
+/// Block::corrects, that is, not of a spring. \param bias_rate of SoftCoefficients [1/s]
 inline real feedback(const Block& block, real C, real bias_rate) {
   const real most = block.corrects ? block.settings.push : unbounded;
   return std::min(std::max(bias_rate * C, -most), most);
@@ -115,11 +118,11 @@ class Blocks {
   /// The error of each row [m, rad, or 1 for a small sine]; 0 in a block that holds no position.
   std::vector<real> C;
   std::vector<Row> J;  ///< the rows in use; what follows them is of former steps
-  /// Called once the bodies have moved; null for nothing. A joint that appends blocks may set it,
-  /// to a function of the whole world, which finds its own joints.
+  /// One function for the whole world, called once the bodies have moved; null for none. One kind
+  /// of joint alone sets it, as it appends blocks; it finds these joints in the world.
   void (*after_move)(World& world, Solver& solver, real h) = nullptr;
   bool errors_only = false;  ///< append only C and no rows of J: for the errors at other poses
-  real last_impulse_duration = 0;  ///< that of the last step [s]; 0 before the first
+  real last_impulse_duration = 0;  ///< that of the step before [s]; 0 in the first
   /// The duration of this step's impulses [s], by which a force is multiplied. You may take it as
   /// h: only leapfrog steps that change h have another one, the mean of the last h and this one.
   real impulse_duration = 0;

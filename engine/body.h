@@ -47,8 +47,8 @@ struct Body {
   // unequal moments is its mean angular velocity over the step, by which it will rotate: so rows
   // that are solved meanwhile hold for the rotation that it will really do (engine/rotation).
   bool w_is_mean = false;  ///< w is that mean rate
-  vec3 precession{0};      ///< mean rate minus the rate at the step's beginning [rad/s, world]
-  vec3 mean{0};            ///< the mean rate without the step's impulses [rad/s, world]
+  vec3 precession{0};      ///< the mean rate minus I^-1 L, when w was last set [rad/s, world]
+  vec3 mean{0};            ///< w as it was last set: another w shows an impulse [rad/s, world]
   MatricesOfStep matrices{};      ///< of q, while a step makes its rows
 
   /// True if no force and no joint can move this body.
@@ -133,7 +133,7 @@ quat rotation(const vec3& phi);
 /// w to the mean rate. \param gravity [m/s^2] \param h step [s]
 void integrate_forces(Body& body, const vec3& gravity, real h);
 /// The largest component of a velocity at the end of a step [m/s or rad/s]. A diverging simulation
-/// continues until its impulses overflow, which step() reports.
+/// continues until its impulses overflow, which step() of engine/steps reports.
 constexpr real max_speed = real(3e8);
 /// Scales finite velocities down to max_speed.
 void clamp_speed(Body& body);
@@ -218,8 +218,8 @@ class HeldMatrices {
 inline void integrate_forces(Bodies& bodies, const vec3& gravity, real h) {
   for (Body& body : bodies) integrate_forces(body, gravity, h);
 }
-/// Sets w to a new mean rate where impulses have changed it by more than a tenth, and where a body
-/// rotates by 0.3 rad in a step or more. \param h step [s] \return true if a w has changed
+/// Sets w to a new mean rate where impulses have changed it by more than a tenth and the body
+/// rotates by more than 0.3 rad in a step. \param h step [s] \return true if a w has changed
 bool renew_mean_rates(Bodies& bodies, real h);
 /// integrate_pose() for all bodies.
 inline void integrate_poses(Bodies& bodies, real h) {

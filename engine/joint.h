@@ -6,7 +6,7 @@
 #include "engine/block.h"
 
 /// \defgroup joint Joints
-/// \brief The interface between engine and joints; the joints themselves are in the chapters.
+/// \brief The interface between engine and joints; the joints themselves are in joints/.
 /// @{
 namespace joints {
 
@@ -58,7 +58,7 @@ class Joint {
   }
 
   /// Called once per step, before append(). \param h step [s]
-  /// \param duration for which the step's impulses act [s]: not h with leapfrog; 0 for h
+  /// \param duration for which the step's impulses act [s]; 0: h. Leapfrog may pass another one
   void begin_step(const Bodies& bodies, real h, real duration = 0) {
     impulse_duration_ = duration > 0 ? duration : h;
     can_move_ = !bodies.at(int(body1.slot)).is_static() || !bodies.at(int(body2.slot)).is_static();
@@ -104,7 +104,7 @@ class Joint {
   /// For engine/kept: lists every variable that a later step may read, such as accumulated
   /// impulses, always the same number of them in the same order.
   virtual void serialize(StateStream&) {}
-  /// The target of a block that holds a position: hard with beta, or soft with frequency and
+  /// The settings of a block that holds a position: hard with beta, or soft with frequency and
   /// damping. \param lower 0 if the last row enforces C >= 0
   RowSettings hold(real lower = -unbounded) const {
     return {.beta = beta, .frequency = frequency, .damping = damping, .lower = lower,

@@ -1,4 +1,4 @@
-// The arithmetic that every solver does once for each row or block, written such that a compiler
+// The arithmetic of rows and small matrices that every solver repeats, written such that a compiler
 // generates few instructions for it.
 #pragma once
 

@@ -29,7 +29,7 @@ void form_K(const Row* J, const Row* response, int n, real* K) {
 }
 
 void invert_symmetric(real* K, int n) {
-  with_size(n, [&](auto N) {
+  with_size(n, [&](auto N) {  // the lower triangle is inverted (kernels.h), and copied to both
     real lower[N * (N + 1) / 2];
     const auto each = [&](const auto& f) {
       unrolled<N>([&](auto i) {

@@ -71,8 +71,8 @@ enum class Form : signed char {
   point     ///< three rows v1 = -E, w1 = skew(r1), v2 = E, w2 = -skew(r2), then angular rows
 };
 
-/// Writes C of a part to `C`. Of several parts as one (Composite, engine/parts) there are two other
-/// functions of these names.
+/// Writes C of a part to `C`. Composite (engine/parts), several parts as one, overloads this and
+/// write_jacobian().
 template <class P>
 void write_error(const P& part, const Body& body1, const Body& body2, real* C) {
   const Vector<P::rows> error = to_vector(part.error(body1, body2));

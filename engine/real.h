@@ -78,13 +78,13 @@ inline real sum(const vec3& a) { return a.x + a.y + a.z; }
 /// The same for a quaternion.
 inline real sum(const quat& q) { return q.w + q.x + q.y + q.z; }
 /// True if the length of a vector or quaternion is 1 within 1e-6. A rotation by such a quaternion
-/// misplaces a point 10 m away by at most 20 micrometres.
+/// misplaces a point 10 m away by at most 40 micrometres.
 template <class Vector>
 bool is_unit(const Vector& a) { return std::abs(dot(a, a) - 1) < real(2e-6); }
 
 // ---- the rejection of invalid input -------------------------------------------------------------
 
-/// Rejects invalid input. Every std::invalid_argument of the engine and the joints is thrown here.
+/// Rejects invalid input. Every std::invalid_argument of core and joints is thrown here.
 /// \param what one sentence with the argument and the condition that it must satisfy
 /// \throws std::invalid_argument always
 [[noreturn]] void refuse(const std::string& what);

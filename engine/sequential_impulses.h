@@ -34,14 +34,15 @@ struct Prepared {
 /// @{
 
 /// Sequential Impulses, that is, projected block Gauss-Seidel on the impulses. Each iteration
-/// solves every block exactly for the present velocities, in the order of the list. Source: Catto,
+/// solves every block for the present velocities, exactly if its rows are hard and relaxation is 1,
+/// in the order of the list. Source: Catto,
 /// "Fast and Simple Physics using Sequential Impulses", GDC 2006.
 class SequentialImpulses : public IterativeSolver {
  public:
   /// Prepares blocks. \throws std::invalid_argument if a bound follows an impulse without a row
   void prepare(const Bodies& bodies, const Blocks& blocks, int first_block, real h) override;
-  /// Sets the impulse of a row to zero if its Jacobian is zero or if it depends on other rows of
-  /// its block.
+  /// As Solver::warm_start(); also sets the impulse of a row to zero if its Jacobian is zero or if
+  /// it depends on other rows of its block.
   void warm_start(Bodies& bodies, real ratio) override;
   void solve(Bodies& bodies) override;
 

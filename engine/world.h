@@ -76,7 +76,7 @@ class World {
   /// Sets Joint::beta [1] of all present joints. \throws std::invalid_argument as check_beta()
   void set_beta(real beta);
 
-  /// The joints in the order in which they were added, which is the order of their blocks. A loop
+  /// The joints in the order in which they were added, in which they append their blocks. A loop
   /// over them may remove joints and bodies; those that it has removed stay in this list until the
   /// next call, but take no part in anything.
   const std::vector<std::unique_ptr<Joint>>& joints() const {

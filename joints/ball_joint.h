@@ -8,7 +8,8 @@
 /// @{
 namespace joints {
 
-/// As in `world.add<BallJoint>(a, b, anchor)`. \param anchor common point [m, world]
+/// PartJoint calls it for `world.add<BallJoint>(a, b, anchor)`.
+/// \param anchor common point [m, world]
 inline Point make(std::type_identity<Point>, const Body& body1, const Body& body2,
                   const vec3& anchor) {
   return point_at(body1, body2, anchor);

@@ -37,7 +37,7 @@ class PartJoint : public Joint {
   PartJoint(const Bodies& bodies, BodyId body1, BodyId body2, const Arguments&... arguments)
       : PartJoint(body1, body2, make(std::type_identity<Part>{}, bodies[body1], bodies[body2],
                                      arguments...)) {}
-  /// Validates the bodies, beta, and the part by its check().
+  /// Validates what every joint has, and the part by its check().
   void check_input(const Bodies& bodies) const override {
     Joint::check_input(bodies);
     check(part);
@@ -50,7 +50,7 @@ class PartJoint : public Joint {
   Stats stats() const override { return {.bounded = Part::one_sided}; }  ///< ropes have bounds
   /// The accumulated impulse of each row in the last step [N s, or N m s for an angular row].
   const Vector<Part::rows>& impulse() const { return impulse_; }
-  /// The mean force of each row in the last step, impulse / h [N or N m].
+  /// The mean force of each row in the last step, impulse / impulse_duration() [N or N m].
   Vector<Part::rows> forces() const {
     Vector<Part::rows> out;
     for (int i = 0; i < Part::rows; ++i) out[i] = mean_force(impulse_[i]);

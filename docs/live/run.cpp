@@ -218,7 +218,7 @@ void residuals(const Bodies& bodies, const Blocks& blocks, const Block& block, r
   }
   for (int i = 0; i < block.rows; ++i) {
     const real C = blocks.C[std::size_t(block.first + i)];
-    real e = row_velocity(J[i], a, b) + bias(block, i, C, now.rate, h);
+    real e = row_velocity(J[i], a, b) + bias(block, i, C, now.bias_rate, h);
     for (int j = 0; now.softness != 0 && j < block.rows; ++j)
       e += now.softness * K[i * block.rows + j] * block.impulse[j];
     if (i == block.rows - 1) {  // at a bound it may have any rate that leads away from it

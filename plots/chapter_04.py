@@ -41,8 +41,8 @@ def draw_piston(solution, mine, out):
         right.step(t[1:], table[column][1:], color=colour, label=label, linewidth=1.3)
     for force in (-BOUND, BOUND):
         right.axhline(force, color=PALE, linewidth=0.8, dashes=(4, 2))
-    for place, force, side, said in ((0.98, BOUND + 6, "right", f"motor, {BOUND} N"),
-                                     (0.02, -BOUND - 24, "left", f"motor, −{BOUND} N")):
+    for place, force, side, said in ((0.98, BOUND + 6, "right", f"bound, {BOUND} N"),
+                                     (0.2, -BOUND - 24, "left", f"bound, −{BOUND} N")):
         right.text(place, force, said, fontsize=8.5, color=PALE, ha=side,
                    transform=right.get_yaxis_transform())
     for stop, words, side in ((np.argmin(table["limit_n"]), "stops it at the top", -1),

@@ -57,7 +57,7 @@ def fed_back(ax):
         words(ax, (308, 290 - 64 * k), said, FAINT, 10)
     words(ax, (wall + gap / 2, 270), "gap", FAINT, 11)
     words(ax, (wall + gap - 30, 313), "velocity", ARROW, 11)
-    below(ax, 170, "the gap shrinks to $1 - \\beta$ of it in each step")
+    below(ax, 170, "each step multiplies the gap by $1 - \\beta$")
 
 
 def projected(ax):

@@ -204,8 +204,8 @@ def draw_motion(rows, path):
     count = len({row["scene"] for row in rows})
     draw_map(rows, {name: f"{near[name]} of {count}" for name in methods}, "within\n10 mm", path,
              lambda row: 1000 * row["first_second_m"], GAPS, (1, 10, 100),
-             f"Nearest to the true motion in the first second: {title_of(methods[0])}, within "
-             f"10 mm in {near[methods[0]]} of {count} cases, the default in {near['inertia']}",
+             f"{title_of(methods[0]).capitalize()} stays within 10 mm of the true motion in "
+             f"{near[methods[0]]} of {count} cases; the default in {near['inertia']}",
              ("off the reference by up to 1 mm", "1 to 10 mm", "10 to 100 mm", "0.1 to 10 m"),
              "farther, or gave up")
 

@@ -10,7 +10,8 @@ from style import COLOURS, INK
 MEASURED = pathlib.Path(__file__).absolute().parents[1] / "bench" / "measured"
 OPERATIONS, BYTES = 171, 44 * 4  # of a solve: Eq. 7-6, and the numbers of a hinge in float
 USED = 10 / 16  # of the lanes, one chain per lane: Eq. 7-7
-LOOKS = (("whole-joint", "one lane,\na hinge at a time"), ("interleaved", "one lane,\ninterleaved"),
+LOOKS = (("whole-joint", "one lane,\na hinge at a time"),
+         ("interleaved", "one lane,\nchains interleaved"),
          ("lanes coloured", "eight lanes,\nby colours"), ("lanes", "eight lanes,\na chain in each"))
 
 
@@ -31,8 +32,8 @@ def picture(path):
     top = min(eight, cache)
     shares = [100 * rate(loop, variant) / top for variant, _ in LOOKS]
     figure, ax = style.figure(
-        f"Eight lanes with a chain in each reach {max(shares):.0f} % of what the cache can feed, "
-        f"one hinge at a time {min(shares):.0f} %")
+        f"One hinge at a time: {min(shares):.0f} % of what the cache can feed; eight lanes with a "
+        f"chain in each: {max(shares):.0f} %")
     for place, (share, (variant, words)) in enumerate(zip(shares, LOOKS)):
         ax.barh(-place, share, 0.62, color=COLOURS[1 if "lane" in variant else 2])
         ax.text(share - 0.8, -place, f"{share:.0f} %", va="center", ha="right", fontsize=10,
@@ -40,10 +41,10 @@ def picture(path):
         if variant == "lanes":  # every lane computes, and some have no hinge
             ax.barh(-place, share / USED - share, 0.62, share, facecolor="white",
                     edgecolor=COLOURS[1], hatch="///", linewidth=1)
-            ax.text(share / USED + 1, -place, "idle lanes,\nfor nothing",
+            ax.text(share / USED + 1, -place, f"{share / USED - share:.0f} % wasted\nin idle lanes",
                     va="center", fontsize=9, color=COLOURS[1])
     for share, words in ((100, "what the cache can feed"),
-                         (100 * one / top, f"most of one lane, {100 * one / top:.0f} %")):
+                         (100 * one / top, f"one lane's limit, {100 * one / top:.0f} %")):
         low = 0.5 - len(LOOKS) if share == 100 else -1.5
         ax.plot((share, share), (low, 0.8), color=INK, linewidth=1.4,
                 linestyle="-" if share == 100 else "--")
@@ -53,5 +54,5 @@ def picture(path):
     ax.tick_params(axis="y", length=0)
     ax.grid(axis="y", visible=False)
     ax.set(xlim=(0, 104), ylim=(0.5 - len(LOOKS), 0.8),
-           xlabel=f"useful operations  [% of the {top:.0f} per ns that the cache can feed]")
+           xlabel=f"operations  [% of the {top:.0f} per ns that the cache can feed]")
     style.save(figure, path / "figure")

@@ -86,17 +86,17 @@ def draw_scene(ax, table):
                 linewidth=2 if group in GROUPS_OF_OURS else 1.2, zorder=4 if group == "ODE" else 3)
     ax.axhspan(REFERENCE / 2, 2 * REFERENCE, color=style.GRID, linewidth=0, zorder=0)
     first = [fastest(table, level) for level in LEVELS]
-    said = [" = ".join(one) or "nobody" for one in first]
+    said = [" = ".join(one) or "nobody reaches it" for one in first]
     if len(set(said)) == 1:
-        said = ["", f"{said[0]}\nat all three", ""]
+        said = ["", f"{said[0]},\nat all three levels", ""]
     for level, one, words in zip(LEVELS, first, said):
         ax.axhline(level, color=PALE, linewidth=0.6, dashes=(1, 2), zorder=1)
         ax.annotate(words, (1.02, level), va="center", fontsize=7.5, annotation_clip=False,
                     xycoords=("axes fraction", "data"),
                     color=GROUPS[one[0]] if len(one) == 1 else INK,
                     fontweight="bold" if len(one) == 1 else "normal")
-    if not np.isfinite(y[groups == GROUPS_OF_OURS[0]]).any():
-        ax.text(0.04, 0.1, "a closed loop: no\nreduced coordinates", fontsize=8,
+    if absent := [group for group in GROUPS if group not in groups]:
+        ax.text(0.03, 0.1, "not on a closed loop:\n" + " and ".join(absent), fontsize=8,
                 transform=ax.transAxes)
     ax.set(xscale="log", yscale="log", ylim=(REFERENCE / 2, 3))
     ax.minorticks_off()
@@ -114,10 +114,10 @@ def headline(table):
     won = sum(all(one == [GROUPS_OF_OURS[0]] for one in first[name]) for name in trees)
     decided = [name for name in first if name not in trees
                and any(len(one) == 1 for one in first[name])]
+    loops = len(first) - len(trees)
     levels = " and ".join(", ".join(map(style.metres, LEVELS)).rsplit(", ", 1))
-    return (f"On {won} of {len(trees)} trees our reduced coordinates are first at {levels}; on "
-            f"{len(decided) or 'none'} of the {len(first) - len(trees)} closed linkages an engine "
-            "is first alone")
+    return (f"Trees: ours, reduced, is first at {levels} on {won} of {len(trees)}. Closed loops: "
+            f"nobody is first alone on {loops - len(decided)} of {loops}")
 
 
 def draw(table, path):
@@ -126,10 +126,10 @@ def draw(table, path):
     style.entitle(made, headline(table))
     key, below, under = made.subfigures(3, 1, height_ratios=(0.45, 9.3, 0.75))
     lines = [Line2D([], [], color=colour, marker="o", markersize=3) for colour in GROUPS.values()]
-    key.legend(lines, GROUPS, loc="upper left", ncol=6, frameon=False, fontsize=8.5,
-               columnspacing=1.2, borderaxespad=0)
-    key.text(0.012, 0.0, "each line: the least error within a time, by any setting that was tried; "
-             "right: who has it in the least time (=: a tie)", fontsize=8)
+    key.legend(lines, GROUPS, loc="upper left", bbox_to_anchor=(0.01, 1), ncol=6, frameon=False,
+               fontsize=8.5, columnspacing=1.2, borderaxespad=0)
+    key.text(0.012, 0.0, "each line: an engine's best error for a given time, of all settings "
+             "tried. Right: the fastest at each dotted level (=: a tie)", fontsize=8)
     panels = below.subplots(-(-len(scenes) // 2), 2, sharex=True, sharey=True)
     for ax, scene in zip(panels.flat, scenes):
         draw_scene(ax, style.rows(table, scene=scene))

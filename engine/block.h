@@ -26,10 +26,10 @@ struct RowSettings {
   real damping = 1;    ///< damping ratio of that spring [1]
   real rate = 0;       ///< target rate of the last row [unit of C per s]: the speed of a motor
   bool holds_position = true;  ///< true: C is computed and fed back; false: only a rate is given
-  /// If not 0: friction. The bounds are -+upper * impulse[follows], by the impulse of another row
-  /// of the same joint, `follows` places further on in the joint's array and equally far in Blocks
-  /// (before, if negative). That row must be one-sided. This block has one row, `upper` is a factor
-  /// [1], and `lower` is ignored.
+  /// If not 0: the bounds are -+upper * impulse[follows], by the impulse of another row of the same
+  /// joint, `follows` places further on in the joint's array and equally far in Blocks (before, if
+  /// negative). That row must be one-sided. This block has one row, `upper` is a factor [1], and
+  /// `lower` is ignored.
   int follows = 0;
   real lower = -unbounded;  ///< least force of the last row [N or N m]; 0 for C >= 0
   real upper = unbounded;   ///< greatest force of the last row [N or N m]

@@ -60,6 +60,7 @@ class Joint {
   /// Called once per step, before append(). \param h step [s]
   /// \param duration for which the step's impulses act [s]; 0: h. Leapfrog may pass another one
   void begin_step(const Bodies& bodies, real h, real duration = 0) {
+    h_ = h;
     impulse_duration_ = duration > 0 ? duration : h;
     can_move_ = !bodies.at(int(body1.slot)).is_static() || !bodies.at(int(body2.slot)).is_static();
     can_move_ ? update_active_rows(bodies, h) : deactivate();
@@ -90,6 +91,7 @@ class Joint {
     return impulse_duration_ > 0 ? impulse / impulse_duration_ : real(0);
   }
   std::uint64_t number() const { return number_; }  ///< see JointId; 0 outside of a world
+  real last_h() const { return h_; }  ///< length of the last step [s], 0 before the first
   /// Blocks::impulse_duration of the last step [s]; 0 before the first.
   real impulse_duration() const { return impulse_duration_; }
   /// For a way to move bodies that appends no rows. \param duration of the impulses [s]
@@ -118,7 +120,7 @@ class Joint {
   void require_two() const {
     require(!(body1 == body2), "body2: a joint needs two different bodies");
   }
-  real impulse_duration_ = 0;  // of the last step [s]
+  real h_ = 0, impulse_duration_ = 0;  // of the last step [s]
   std::size_t place_ = 0;     // in World::joints()
   std::uint64_t number_ = 0;  // of all joints that were ever added to a world
 };

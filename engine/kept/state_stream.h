@@ -57,8 +57,8 @@ class StateStream {
 
 /// Writes or reads all data that a joint keeps from step to step.
 inline void serialize(Joint& joint, StateStream& stream) {
-  stream(joint.impulse_duration_, joint.can_move_);
-  require(joint.impulse_duration_ >= 0, "state: holds a step of negative length");
+  stream(joint.h_, joint.impulse_duration_, joint.can_move_);
+  require(joint.h_ >= 0 && joint.impulse_duration_ >= 0, "state: holds a step of negative length");
   joint.serialize(stream);
 }
 

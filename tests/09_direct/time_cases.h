@@ -88,7 +88,7 @@ Numbers stepped(const TimeCase& c, const Advance& advance) {
     out.push_back(double(world.last_h));
     out.push_back(double(world.blocks.list.size()));
     for (const auto& joint : world.joints()) {
-      out.push_back(double(joint->impulse_duration()));
+      out.push_back(double(joint->last_h()));
       if (const auto* one = dynamic_cast<const BallJoint*>(joint.get()))
         for (int i = 0; i < 3; ++i) out.push_back(double(one->impulse()[std::size_t(i)]));
     }

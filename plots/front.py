@@ -47,8 +47,10 @@ def draw_cost(ax, path):
     for (setting, words), colour in zip(CURVES, style.COLOURS):
         x, y, good = sweeps.points(style.rows(table, setting=setting))
         ax.plot(x, np.where(good, y, np.nan), "o-", color=colour, markersize=3, label=words)
+        ax.plot(x[~good], y[~good], "x", color=colour, markersize=4, label="_lost")
     ax.set(xscale="log", yscale="log", ylim=(sweeps.REFERENCE / 2, 1),
-           xlabel="milliseconds per simulated second, one core", ylabel="error of the tip",
+           xlabel="milliseconds per simulated second, one core\ncross: came apart or gained energy",
+           ylabel="error of the tip",
            title=f"and you see what it costs: a {SCENE} of eight rods")
     ax.annotate("better", (0.06, 0.06), (0.2, 0.2), xycoords="axes fraction", fontsize=8.5,
                 arrowprops={"arrowstyle": "->", "color": style.INK})

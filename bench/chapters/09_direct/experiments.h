@@ -14,9 +14,9 @@ struct Choice {
   std::string out;      ///< folder of tables and recordings
 };
 
-/// A step of a scene with a solver, of second order.
-inline std::function<void()> leaps(Scene& scene, Solver& solver) {
-  return [&scene, &solver] { step(scene.world, solver, scene.h, {.leapfrog = true}); };
+/// A step of a scene with the direct solver, of second order.
+inline std::function<void()> leaps(Scene& scene, DirectSolver& solver) {
+  return steps_of(scene, 0, solver);
 }
 
 /// The present energy of the bodies [J].
